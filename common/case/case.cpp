@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "common/case/case.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fissura {
+
+double tip_strength(double tensile_strength, double fracture_energy, double plane_strain_modulus, double h) {
+  constexpr double cells_per_zone = 1.5;
+  return std::min(tensile_strength, std::sqrt(plane_strain_modulus * fracture_energy / (cells_per_zone * h)));
+}
+
+}  // namespace fissura

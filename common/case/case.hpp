@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The typed case: what case.toml says, converted to SI, checked, and constant from then on.
+///
+/// Conventions. x points east, y north; the domain is centred on the origin. Stresses here are effective and
+/// tension positive (case.toml states its own sign, see read_case.hpp). Pressures are positive in compression.
+/// The model is plane strain of thickness `domain.thickness`; rates are those of the whole thickness.
+namespace fissura {
+
+using Point = std::array<double, 2>;  ///< x, y [m]
+
+struct TimeSpan {
+  double end = 0;  ///< [s], > 0; a run begins at 0
+};
+
+struct Domain {
+  double width = 0;      ///< extent in x [m]
+  double height = 0;     ///< extent in y [m]
+  double thickness = 0;  ///< out of plane [m]
+};
+
+/// Target edge length: `fracture_size` within `corridor` of a fracture line, then growing by `gradation` per
+/// metre of distance up to `far_size`.
+struct MeshControls {
+  double fracture_size = 0;  ///< h [m]
+  double far_size = 0;       ///< [m]
+  double corridor = 0;       ///< half width of the band of uniform size [m]
+  double gradation = 0;      ///< [-], 0 < gradation <= 1
+  std::uint64_t seed = 1;    ///< of the jitter of the interior points
+};
+
+struct Rock {
+  double density = 0;            ///< [kg/m3]
+  double youngs_modulus = 0;     ///< E [Pa]
+  double poissons_ratio = 0;     ///< nu [-]
+  double tensile_strength = 0;   ///< f_t [Pa]
+  double fracture_energy = 0;    ///< G_f [J/m2]
+  double biot_coefficient = 1;   ///< alpha [-], of the rock; a fracture face carries the full fluid pressure
+
+  /// E' = E / (1 - nu^2) [Pa]
+  [[nodiscard]] double plane_strain_modulus() const {
+    return youngs_modulus / (1 - poissons_ratio * poissons_ratio);
+  }
+  /// G = E / (2 (1 + nu)) [Pa]
+  [[nodiscard]] double shear_modulus() const { return youngs_modulus / (2 * (1 + poissons_ratio)); }
+};
+
+/// Effective in-situ stress (tension positive) and pore pressure, linear in x and y, in equilibrium with
+/// the body force at zero displacement:  div(stress) - alpha grad(pore_pressure) + density * body_acceleration = 0.
+struct InSitu {
+  std::array<double, 4> stress{};                         ///< xx, yy, xy, zz at the origin [Pa]
+  std::array<std::array<double, 2>, 4> stress_gradient{}; ///< d/dx, d/dy of each [Pa/m]
+  double pore_pressure = 0;                               ///< at the origin [Pa]
+  std::array<double, 2> pore_pressure_gradient{};         ///< [Pa/m]
+  std::array<double, 2> body_acceleration{};              ///< [m/s2]
+};
+
+enum class BoundaryKind {
+  fixed,         ///< no displacement
+  roller,        ///< no displacement normal to the side
+  traction,      ///< total traction held at the in-situ value plus `value` [Pa] (x, y)
+  displacement   ///< displacement `value` [m] (x, y), reached linearly at `ramp` [s]
+};
+
+struct Boundary {
+  BoundaryKind kind = BoundaryKind::fixed;
+  std::array<double, 2> value{};
+  double ramp = 0;  ///< [s]
+};
+
+struct Boundaries {
+  Boundary west, east, south, north;
+};
+
+enum class FractureKind {
+  open,     ///< a slit without strength, connected to the fluid from the start
+  natural,  ///< a frictional natural fracture
+  intact    ///< intact rock that can break along this line (a prescribed path)
+};
+
+struct FractureLine {
+  std::string name;
+  FractureKind kind = FractureKind::open;
+  std::vector<Point> points;            ///< polyline [m], at least two
+  double tensile_strength = 0;          ///< [Pa]; of the rock for `intact`, 0 by default for `natural`
+  double fracture_energy = 0;           ///< [J/m2]; the same
+  double friction_coefficient = 0;      ///< tan(phi) [-]
+  double cohesion = 0;                  ///< of the friction law [Pa]
+};
+
+/// tau = K gamma^n; Newtonian for n = 1 with K the viscosity.
+struct Fluid {
+  std::string name;
+  double consistency_index = 0;  ///< K [Pa s^n]
+  double power_index = 1;        ///< n [-]
+  double bulk_modulus = 0;       ///< K_f [Pa]
+};
+
+struct LeakOff {
+  double coefficient = 0;   ///< C_l of ONE face [m/s^0.5]
+  double spurt_volume = 0;  ///< S_p of one face [m3/m2]
+};
+
+struct Perforation {
+  std::string name;
+  Point position{};     ///< [m]; must lie on an open fracture
+  double aperture = 0;  ///< hydraulic aperture e_0 stored there at the start [m]
+};
+
+enum class StageControl { rate, pressure, shut_in };
+
+/// One stage of the pumping schedule; it lasts until the next begins. All perforations share one well pressure.
+struct Stage {
+  double begin = 0;  ///< [s]
+  StageControl control = StageControl::rate;
+  double rate = 0;      ///< of all perforations together, whole thickness [m3/s]; for control = rate
+  double pressure = 0;  ///< total well pressure [Pa]; for control = pressure
+  double ramp = 0;      ///< time in which the value is reached linearly from that of the stage before [s]
+  std::string fluid;    ///< name of the injected fluid; empty for shut_in
+};
+
+struct Injection {
+  std::vector<Perforation> perforations;
+  std::vector<Stage> stages;
+  double well_index = 0;  ///< WI of one perforation, per unit thickness [m2/(s Pa)]: q = WI (p_w - p)
+};
+
+enum class CouplingScheme { robin, profit2016 };
+
+struct Coupling {
+  CouplingScheme scheme = CouplingScheme::robin;
+  int minimum_steps = 10;            ///< explicit steps of a coupling interval, lower limit
+  int maximum_steps = 20;            ///< upper limit
+  double front_fraction = 0.02;      ///< an interval is at most this times h / tip speed
+  double drift_tolerance = 1e-3;     ///< eta of the interval rule [-]
+  double maximum_interval = 0;       ///< [s]; 0 = no further limit
+  double fracture_normal_stiffness = 0;  ///< K_n [Pa/m] of profit2016; 0 = rigid
+};
+
+struct Dynamics {
+  double damping = 0.2;                 ///< Cundall local damping lambda [-]
+  double safety_factor = 0.8;           ///< of the stable step [-]
+  double loading_ratio = 0.05;          ///< beta of the staged mass scaling [-]
+  double event_loading_ratio = 0.2;     ///< beta_e after a change of the pumping [-]
+  double initial_mass_scale = 100;      ///< [-], >= 1
+  double maximum_mass_scale = 1e8;      ///< [-]
+};
+
+struct NetworkControls {
+  double minimum_aperture = 1e-5;       ///< floor of the aperture in the conductivity only [m]
+  double tolerance = 1e-10;             ///< of the Newton residual, relative to the content moved [-]
+  int maximum_iterations = 100;
+};
+
+struct Output {
+  double interval = 0;          ///< simulated time between field reports [s]
+  int reports_per_segment = 20; ///< field reports in one HDF5 segment
+};
+
+/// Nobody waits longer than this. Wall time, seconds.
+struct Deadlines {
+  double join = 10;       ///< from the start of a participant to its HELLO, and for the mesh
+  double progress = 10;   ///< a participant at work without any progress
+  double finish = 10;     ///< from FINISH to the end of the process
+};
+
+/// Range outside which an exchanged pressure is refused. [Pa]
+struct PressureRange {
+  double minimum = 0;
+  double maximum = 1e9;
+};
+
+struct Case {
+  int schema = 1;
+  std::string title;
+  TimeSpan time;
+  Domain domain;
+  MeshControls mesh;
+  Rock rock;
+  InSitu in_situ;
+  Boundaries boundary;
+  std::vector<FractureLine> fractures;
+  std::vector<Fluid> fluids;
+  LeakOff leak_off;
+  Injection injection;
+  Coupling coupling;
+  Dynamics dynamics;
+  NetworkControls network;
+  Output output;
+  Deadlines deadlines;
+  PressureRange pressure_range;
+};
+
+/// Effective tensile strength at element size h: the strength is lowered, never the energy, where the
+/// cohesive zone would be shorter than the mesh can carry.
+///   f_t,tip = min(f_t, sqrt(E' G_f / (1.5 h)))   [Pa]
+double tip_strength(double tensile_strength, double fracture_energy, double plane_strain_modulus, double h);
+
+}  // namespace fissura

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace fissura::coupler {
+
+/// Cumulative fluid volumes of the whole thickness [m3]; see docs/protocol.md.
+struct Ledger {
+  double injected = 0;
+  double in_place = 0;
+  double in_fractures = 0;
+  double leaked = 0;
+  double reset = 0;
+  double residual = 0;
+
+  /// |residual| over the largest volume that has been through the book (injected, produced or in place).
+  double relative_residual = 0;
+};
+
+/// Everything scalar that is known at one coupling time; one line of history.csv and ledger.csv.
+struct IntervalRecord {
+  std::uint64_t interval = 0;   ///< coupling index
+  std::uint64_t revision = 0;   ///< topology revision
+  double time = 0;              ///< end of the interval [s]
+  double duration = 0;          ///< [s]
+  int explicit_steps = 0;       ///< of the structure in this interval
+  double half_length = 0;       ///< half the trace length between the middles of (last opened, last fully broken) node [m]
+  double half_length_open = 0;  ///< half the trace length of the opened part [m]
+  double half_length_broken = 0;///< half the trace length of the fully broken part [m]
+  double inlet_aperture = 0;    ///< mechanical opening at the first perforation [m]
+  double inlet_pressure = 0;    ///< total [Pa]
+  double inlet_net_pressure = 0;///< total minus the in-situ total closure normal to the fracture there [Pa]
+  double well_pressure = 0;     ///< total [Pa]
+  double rate = 0;              ///< injected (+) or produced (-) at the end of the interval [m3/s]
+  Ledger ledger;
+  double efficiency = 1;        ///< in_fractures / (injected + in_place) [-]
+  double mismatch = 0;          ///< sum l |e - e_predicted| / sum l e over filled nodes [-]: structure volume against content
+  double drift = 0;             ///< max |p_applied - p_network| over max net pressure [-]
+  int newton_iterations = 0;
+  int halvings = 0;             ///< how often the network halved the interval
+  double kinetic_energy = 0;    ///< [J] with the scaled mass
+  double strain_energy = 0;     ///< [J], of the change from in situ
+  double mass_scale = 1;        ///< [-]
+  double stable_step = 0;       ///< [s]
+};
+
+}  // namespace fissura::coupler
