@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace fissura::coupler {
+
+/// A text file that is written from its beginning to its end and whose every write is checked. All functions
+/// throw StorageError with the file, the call that failed and the system's reason.
+class CheckedFile {
+ public:
+  /// Creates `file`, or empties it.
+  explicit CheckedFile(const std::filesystem::path& file);
+  /// Closes without a word: what was not flushed is lost.
+  ~CheckedFile();
+  CheckedFile(CheckedFile&& other) noexcept;
+  CheckedFile& operator=(CheckedFile&&) = delete;
+
+  /// Appends to the buffer, which is handed to the system when it is large.
+  void append(std::string_view text);
+  /// Hands the buffer to the system.
+  void flush();
+  /// Flushes and waits until the disk has it (fsync).
+  void sync();
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  std::string buffer_;
+};
+
+/// Waits until the disk has the content of `file` or the entries of a directory (fsync).
+void sync_to_disk(const std::filesystem::path& file_or_directory);
+
+/// Renames `part` to `file` in the same directory and makes that durable. A reader sees the old file or the
+/// whole new one. @pre `part` has been synced
+void publish(const std::filesystem::path& part, const std::filesystem::path& file);
+
+/// Writes `text` to `file`.part, syncs it and publishes it as `file`.
+void write_whole_file(const std::filesystem::path& file, std::string_view text);
+
+}  // namespace fissura::coupler

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/exchange/message.hpp"
+#include "common/fracture_network/fracture_network.hpp"
+#include "coupler/record/event_log.hpp"
+#include "coupler/record/history.hpp"
+#include "coupler/record/interval_record.hpp"
+#include "coupler/record/run_description.hpp"
+#include "coupler/record/run_directory.hpp"
+#include "coupler/record/segments.hpp"
+
+/// Everything a run leaves behind (docs/results.md): the one thing the scheme talks to.
+/// Call order: constructor; begin; then any number of topology, interval, fields, event; close; finish. close
+/// may be left out. After an exception the files written so far are readable; the object may then only be
+/// asked for history() and directory(), or be destroyed.
+namespace fissura::coupler {
+
+class RunRecord {
+ public:
+  /// Claims `directory` for this run (see RunDirectory for what is thrown) and ignores SIGXFSZ in this
+  /// process, so that a limit on the file size is an error and not a death. `reports_per_segment` > 0: see
+  /// case.toml, [output].
+  RunRecord(const std::filesystem::path& directory, int reports_per_segment);
+
+  /// Writes run.json, effective_case.json and copies of the input files; opens the tables and the event log.
+  /// Throws StorageError.
+  void begin(const RunDescription& description);
+
+  /// Notes a new topology revision in the event log. The network itself is written with the next field
+  /// report.
+  void topology(const FractureNetwork& network);
+
+  /// Appends one line to history.csv and ledger.csv (buffered). Throws StorageError.
+  void interval(const IntervalRecord& record);
+
+  /// One field report at simulated `time` [s]: see Segments::add for the arrays of both FIELDS messages.
+  /// Flushes the tables; closes the segment when it is full, and then fields.xdmf and fractures.xdmf name it
+  /// too. `node_fields` hold one value per network node, in the order of network.nodes(). Throws
+  /// StorageError, and ProtocolError if an array does not fit the mesh or the network.
+  void fields(double time, const Message& structure_fields, const Message& network_fields,
+              const FractureNetwork& network, const std::vector<NodeField>& node_fields);
+
+  /// Appends one event to log.jsonl, at the coupling time of the last interval(). `participant` is "coupler",
+  /// "structure" or "network"; `event` a fixed word that scripts may look for. Throws StorageError.
+  void event(EventLevel level, const std::string& participant, const std::string& event,
+             const std::string& text);
+
+  /// The series of all intervals so far, for the verdict.
+  [[nodiscard]] const History& history() const { return history_; }
+  [[nodiscard]] const std::filesystem::path& directory() const { return directory_.path(); }
+
+  /// Closes the segment that is open, if any, and flushes the tables. Throws StorageError.
+  void close();
+
+  /// Closes, writes summary.json and thereby marks the run as finished. Throws StorageError.
+  void finish(const nlohmann::json& summary);
+
+ private:
+  RunDirectory directory_;
+  History history_;
+  Segments segments_;
+  std::optional<EventLog> events_;
+  std::uint64_t interval_ = 0;  ///< of the last interval()
+  double time_ = 0;             ///< of the last interval() [s]
+};
+
+}  // namespace fissura::coupler
