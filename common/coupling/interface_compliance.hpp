@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "common/fracture_network/fracture_network.hpp"
+
+namespace fissura {
+
+/// Interface compliance C_R of every node: its opening per unit uniform pressure in the connected fracture. It estimates what the
+/// structure will do with a pressure increment and stores no fluid; a factor between 0.1 and 3 is harmless.
+/// A connected part of the network that is one straight fracture takes the closed form, any other one the row sum of the
+/// displacement-discontinuity method. Both have the same floor, so that k_s = 1 / C_R never exceeds E' / (2 h).
+/// @param network               the graph at its present revision
+/// @param plane_strain_modulus  E' [Pa]
+/// @returns one value per node, > 0 [m/Pa]
+std::vector<double> interface_compliance(const FractureNetwork& network, double plane_strain_modulus);
+
+/// Sneddon's opening of a crack of length `trace` per unit pressure at `distance` from its end along the trace [m/Pa]:
+///   D = (4 / E') sqrt(s (2a - s)),   s (2a - s) >= h^2 / 4                     (Sneddon 1946)
+/// @param cell  h, lumped length of the node [m]
+double straight_crack_compliance(double distance, double trace, double cell, double plane_strain_modulus);
+
+/// Smallest compliance allowed for a node of lumped length `cell`: 2 h / E' [m/Pa].
+double compliance_floor(double cell, double plane_strain_modulus);
+
+}  // namespace fissura

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "common/exchange/participant.hpp"
+
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <limits>
+#include <new>
+
+#include "common/exchange/channel.hpp"
+#include "common/exchange/fault_point.hpp"
+#include "common/exchange/progress.hpp"
+#include "common/fracture_network/insertion_json.hpp"
+#include "common/log.hpp"
+
+namespace fissura {
+
+namespace {
+
+/// The coupler is gone or silent: there is nobody left to tell.
+struct CouplerLost : Error {
+  using Error::Error;
+};
+
+void spoil(Message& message) {
+  for (Array& array : message.arrays) {
+    if (array.dtype != "float64" || array.bytes.empty()) continue;
+    const double poison = std::numeric_limits<double>::quiet_NaN();
+    const auto* bytes = reinterpret_cast<const std::byte*>(&poison);
+    std::copy(bytes, bytes + sizeof(poison), array.bytes.begin());
+    return;
+  }
+}
+
+class Session {
+ public:
+  Session(Role role, const ParticipantOptions& options, Solver& solver)
+      : role_(role),
+        options_(options),
+        solver_(solver),
+        channel_(options.endpoint),
+        fault_(fault_plan_of_environment(name(role))),
+        deadline_(options.coupler_deadline) {}
+
+  int run() {
+    try {
+      join();
+      while (serve(receive()) == Next::go_on) {
+      }
+      return static_cast<int>(ExitCode::done);
+    } catch (const CouplerLost& loss) {
+      log::error(fmt::format("{} (interval {}, phase {})", loss.what(), interval_, last_phase()));
+      return static_cast<int>(loss.code());
+    } catch (const Error& failure) {
+      return report_failure(failure.code(), failure.what());
+    } catch (const std::bad_alloc&) {
+      return report_failure(ExitCode::out_of_memory, "out of memory");
+    } catch (const std::exception& failure) {
+      return report_failure(ExitCode::internal, failure.what());
+    }
+  }
+
+ private:
+  enum class Next { go_on, end };
+
+  void join() {
+    Message hello(MessageType::hello);
+    hello.body = {{"role", name(role_)},
+                  {"solver", options_.solver_name},
+                  {"version", options_.solver_version},
+                  {"pid", ::getpid()},
+                  {"capabilities", {"insert", "report", "save", "restore"}}};
+    channel_.send(std::move(hello));
+    const Message answer = receive();
+    if (answer.type == MessageType::reject)
+      throw Error(ExitCode::mismatch, "the coupler refused this participant: " + answer.value<std::string>("reason"));
+    if (answer.type != MessageType::welcome)
+      throw ProtocolError(fmt::format("expected WELCOME, received {}", name(answer.type)));
+    deadline_ = Seconds(answer.value<double>("coupler_deadline"));
+    set_progress_report([this](const char* phase, unsigned long count) {
+      Message progress(MessageType::progress);
+      progress.interval = interval_;
+      progress.body = {{"phase", phase}, {"count", count}};
+      channel_.send(std::move(progress));
+    });
+    solver_.join({answer.value<nlohmann::json>("case"), answer.value<int>("threads")});
+    if (role_ == Role::structure) send_first_topology();
+  }
+
+  void send_first_topology() {
+    const Insertion first = solver_.first_topology();
+    network_.apply(first);
+    Message topology(MessageType::topology);
+    topology.body["insertion"] = insertion_to_json(first);
+    solver_.describe_state(topology);
+    channel_.send(std::move(topology));
+  }
+
+  /// The next command; the coupler's own PROGRESS only shows that it lives.
+  Message receive() {
+    Seconds waited{0};
+    const Seconds patience{0.5};
+    while (waited < deadline_) {
+      auto event = channel_.receive(patience);
+      if (std::holds_alternative<ConnectionLost>(event))
+        throw CouplerLost(ExitCode::participant_died, "the coupler is gone: its connection broke");
+      if (Message* message = std::get_if<Message>(&event)) {
+        if (message->type == MessageType::progress) {
+          waited = Seconds(0);
+          continue;
+        }
+        if (message->type == MessageType::fail)
+          throw CouplerLost(ExitCode::participant_died,
+                            "the coupler ended the run: " + message->value<std::string>("reason"));
+        return std::move(*message);
+      }
+      waited += patience;
+    }
+    throw CouplerLost(ExitCode::participant_unresponsive,
+                      fmt::format("the coupler has said nothing for {} s", deadline_.count()));
+  }
+
+  Next serve(Message command) {
+    interval_ = command.interval;
+    switch (command.type) {
+      case MessageType::advance: advance(command); return Next::go_on;
+      case MessageType::insert: insert(command); return Next::go_on;
+      case MessageType::report: {
+        require_revision(command);
+        Message fields = solver_.report(command);
+        reply(MessageType::fields, std::move(fields));
+        return Next::go_on;
+      }
+      case MessageType::save: {
+        Message state;
+        const std::vector<std::byte> blob = solver_.save();
+        state.add_bytes("state", blob);
+        reply(MessageType::state, std::move(state));
+        return Next::go_on;
+      }
+      case MessageType::restore:
+        solver_.restore(command.bytes("state"));
+        reply(MessageType::restored, Message());
+        return Next::go_on;
+      case MessageType::finish: {
+        Message bye;
+        bye.body["figures"] = solver_.finish();
+        reply(MessageType::bye, std::move(bye));
+        return Next::end;
+      }
+      default:
+        throw ProtocolError(fmt::format("{} is not a command for a {}", name(command.type), name(role_)));
+    }
+  }
+
+  void advance(const Message& command) {
+    require_revision(command);
+    const bool poisoned = fault_point(fault_, interval_);
+    Message answer = solver_.advance(command);
+    if (poisoned) spoil(answer);
+    reply(role_ == Role::network ? MessageType::pressure : MessageType::response, std::move(answer));
+  }
+
+  void insert(const Message& command) {
+    const Insertion insertion = insertion_from_json(command.value<nlohmann::json>("insertion"));
+    // The structure has given revision 0 itself; it comes back as the first INSERT and only has to agree.
+    const bool own_first = role_ == Role::structure && insertion.revision == 0;
+    std::string solver_hash;
+    if (!own_first) {
+      network_.apply(insertion);
+      solver_hash = solver_.insert(insertion);
+    }
+    if (!own_first && solver_hash != network_.topology_hash())
+      throw ProtocolError(fmt::format("the solver's topology differs after revision {}", insertion.revision));
+    Message acknowledgement;
+    acknowledgement.body["hash"] = network_.topology_hash();
+    if (role_ == Role::structure) solver_.describe_state(acknowledgement);
+    reply(MessageType::acknowledge, std::move(acknowledgement));
+  }
+
+  void require_revision(const Message& command) const {
+    if (network_.empty() || command.revision != network_.revision())
+      throw ProtocolError(fmt::format("{} is made for topology revision {}, this participant has {}",
+                                      name(command.type), command.revision,
+                                      network_.empty() ? "none" : std::to_string(network_.revision())));
+  }
+
+  void reply(MessageType type, Message message) {
+    message.type = type;
+    message.interval = interval_;
+    message.revision = network_.empty() ? 0 : network_.revision();
+    channel_.send(std::move(message));
+  }
+
+  int report_failure(ExitCode code, const std::string& reason) {
+    log::error(fmt::format("interval {}, phase {}: {}", interval_, last_phase(), reason));
+    set_progress_report({});
+    try {
+      Message failure(MessageType::fail);
+      failure.interval = interval_;
+      failure.body = {{"role", name(role_)},
+                      {"phase", last_phase()},
+                      {"reason", reason},
+                      {"exit_code", static_cast<int>(code)}};
+      channel_.send(std::move(failure));
+    } catch (const std::exception& second) {
+      log::error(fmt::format("the coupler could not be told: {}", second.what()));
+    }
+    return static_cast<int>(code);
+  }
+
+  Role role_;
+  const ParticipantOptions& options_;
+  Solver& solver_;
+  ParticipantChannel channel_;
+  std::optional<FaultPlan> fault_;
+  Seconds deadline_;
+  FractureNetwork network_;
+  std::uint64_t interval_ = 0;
+};
+
+}  // namespace
+
+const char* name(Role role) { return role == Role::structure ? "structure" : "network"; }
+
+int run_participant(Role role, const ParticipantOptions& options, Solver& solver) {
+  int code = 0;
+  {
+    Session session(role, options, solver);
+    code = session.run();
+    set_progress_report({});
+  }
+  return code;
+}
+
+int participant_main(Role role, int argc, char** argv, const char* solver_name, Solver& solver) {
+  CLI::App program(fmt::format("Fissura {} participant: started by the coupler", name(role)));
+  ParticipantOptions options;
+  options.solver_name = solver_name;
+  options.solver_version = FISSURA_VERSION;
+  std::string level = "info";
+  program.add_option("--connect", options.endpoint, "endpoint of the coupler")->required();
+  program.add_option("--log", level, "debug, info, warn or error");
+  program.set_version_flag("--version", options.solver_version);
+  try {
+    program.parse(argc, argv);
+    log::start(name(role), level);
+    // Ctrl-C reaches the whole terminal group; only the coupler decides what it means.
+    std::signal(SIGINT, SIG_IGN);
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    return run_participant(role, options, solver);
+  } catch (const CLI::ParseError& fault) {
+    return program.exit(fault) == 0 ? 0 : static_cast<int>(ExitCode::command_line);
+  } catch (const Error& fault) {
+    std::fprintf(stderr, "%s: %s: %s\n", name(role), fissura::name(fault.code()), fault.what());
+    return static_cast<int>(fault.code());
+  }
+}
+
+}  // namespace fissura
