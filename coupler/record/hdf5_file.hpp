@@ -29,6 +29,8 @@ class Hdf5File {
   /// Writes `array` as the new dataset `dataset` ("/reports/000001/structure/displacement"; groups on the way
   /// are created) with its unit as attribute `unit`. array.name is not used.
   void write(const std::string& dataset, const Array& array);
+  /// Creates a group, and those on the way.
+  void create_group(const std::string& group);
   /// Adds an attribute to a group or dataset that exists.
   void write_attribute(const std::string& object, const std::string& attribute, double value);
   void write_attribute(const std::string& object, const std::string& attribute, std::uint64_t value);

@@ -14,17 +14,6 @@
 
 namespace fissura::coupler {
 
-/// One scalar of an IntervalRecord as it appears in history.csv.
-struct HistoryColumn {
-  std::string_view name;     ///< header of the column, e.g. "half_length"
-  std::string_view unit;     ///< SI; "1" without dimension
-  std::string_view meaning;  ///< one line for columns.json
-  double (*value)(const IntervalRecord&);
-};
-
-/// The columns of history.csv, in order.
-std::span<const HistoryColumn> history_columns();
-
 /// The series of all coupling times: in memory for the verdict, and on disk as history.csv and ledger.csv.
 /// Numbers are printed with the fewest digits that read back to the same double.
 class History {

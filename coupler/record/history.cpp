@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupler/record/history.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "common/errors.hpp"
+#include "coupler/record/recorded_scalars.hpp"
+
+namespace fissura::coupler {
+
+namespace {
+
+constexpr std::array<std::string_view, 9> ledger_columns{"interval", "time",         "injected",
+                                                         "in_place", "in_fractures", "leaked",
+                                                         "reset",    "residual",     "relative_residual"};
+
+double value_of(const IntervalRecord& record, std::string_view column) {
+  return recorded_scalars()[recorded_scalar_index(column).value()].value(record);
+}
+
+void append_value(std::string& line, double value) {
+  if (!line.empty()) line += ',';
+  line += fmt::format("{}", value);
+}
+
+void append_name(std::string& line, std::string_view name) {
+  if (!line.empty()) line += ',';
+  line += name;
+}
+
+std::string columns_json() {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const RecordedScalar& column : recorded_scalars())
+    list.push_back({{"name", column.name}, {"unit", column.unit}, {"meaning", column.meaning}});
+  return list.dump(2) + "\n";
+}
+
+}  // namespace
+
+History::History() : values_(recorded_scalars().size()) {}
+
+void History::write_to(const std::filesystem::path& directory) {
+  write_whole_file(directory / "columns.json", columns_json());
+  tables_.emplace(Tables{CheckedFile(directory / "history.csv"), CheckedFile(directory / "ledger.csv")});
+  std::string history_header, ledger_header;
+  for (const RecordedScalar& column : recorded_scalars()) append_name(history_header, column.name);
+  for (const std::string_view column : ledger_columns) append_name(ledger_header, column);
+  tables_->history.append(history_header + '\n');
+  tables_->ledger.append(ledger_header + '\n');
+  flush();
+}
+
+void History::add(const IntervalRecord& record) {
+  std::string history_line, ledger_line;
+  for (std::size_t column = 0; column < values_.size(); ++column) {
+    const double value = recorded_scalars()[column].value(record);
+    values_[column].push_back(value);
+    append_value(history_line, value);
+  }
+  for (const std::string_view column : ledger_columns) append_value(ledger_line, value_of(record, column));
+  last_ = record;
+  if (!tables_) return;
+  tables_->history.append(history_line + '\n');
+  tables_->ledger.append(ledger_line + '\n');
+}
+
+void History::flush() {
+  if (!tables_) return;
+  tables_->history.flush();
+  tables_->ledger.flush();
+}
+
+std::optional<std::span<const double>> History::series(std::string_view name) const {
+  const auto column = recorded_scalar_index(name);
+  if (!column) return std::nullopt;
+  return values_[*column];
+}
+
+const IntervalRecord& History::last() const {
+  ENSURE(size() > 0);
+  return last_;
+}
+
+}  // namespace fissura::coupler

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupler/record/recorded_scalars.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace fissura::coupler {
+
+namespace {
+
+using Record = IntervalRecord;
+
+constexpr std::array columns{
+    RecordedScalar{"interval", "1", "coupling index", [](const Record& r) { return double(r.interval); }},
+    RecordedScalar{"revision", "1", "topology revision", [](const Record& r) { return double(r.revision); }},
+    RecordedScalar{"time", "s", "end of the interval", [](const Record& r) { return r.time; }},
+    RecordedScalar{"duration", "s", "of the interval", [](const Record& r) { return r.duration; }},
+    RecordedScalar{"explicit_steps", "1", "of the structure in the interval",
+                  [](const Record& r) { return double(r.explicit_steps); }},
+    RecordedScalar{"half_length", "m",
+                  "half the trace length between the middles of last opened and last fully broken node",
+                  [](const Record& r) { return r.half_length; }},
+    RecordedScalar{"half_length_open", "m", "half the trace length of the opened part",
+                  [](const Record& r) { return r.half_length_open; }},
+    RecordedScalar{"half_length_broken", "m", "half the trace length of the fully broken part",
+                  [](const Record& r) { return r.half_length_broken; }},
+    RecordedScalar{"inlet_aperture", "m", "mechanical opening at the first perforation",
+                  [](const Record& r) { return r.inlet_aperture; }},
+    RecordedScalar{"inlet_pressure", "Pa", "total, at the first perforation",
+                  [](const Record& r) { return r.inlet_pressure; }},
+    RecordedScalar{"inlet_net_pressure", "Pa", "inlet_pressure minus the in-situ total closure there",
+                  [](const Record& r) { return r.inlet_net_pressure; }},
+    RecordedScalar{"well_pressure", "Pa", "total", [](const Record& r) { return r.well_pressure; }},
+    RecordedScalar{"rate", "m3/s", "injected (+) or produced (-) at the end of the interval",
+                  [](const Record& r) { return r.rate; }},
+    RecordedScalar{"injected", "m3", "cumulative, net of what was produced",
+                  [](const Record& r) { return r.ledger.injected; }},
+    RecordedScalar{"in_place", "m3", "content at the start",
+                  [](const Record& r) { return r.ledger.in_place; }},
+    RecordedScalar{"in_fractures", "m3", "content now", [](const Record& r) { return r.ledger.in_fractures; }},
+    RecordedScalar{"leaked", "m3", "cumulative, into the rock",
+                  [](const Record& r) { return r.ledger.leaked; }},
+    RecordedScalar{"reset", "m3", "cumulative, created by carrying pressure instead of content",
+                  [](const Record& r) { return r.ledger.reset; }},
+    RecordedScalar{"residual", "m3", "injected + in_place + reset - in_fractures - leaked",
+                  [](const Record& r) { return r.ledger.residual; }},
+    RecordedScalar{"relative_residual", "1", "|residual| over the largest volume that went through the ledger",
+                  [](const Record& r) { return r.ledger.relative_residual; }},
+    RecordedScalar{"efficiency", "1", "in_fractures / (injected + in_place)",
+                  [](const Record& r) { return r.efficiency; }},
+    RecordedScalar{"mismatch", "1", "sum l |e - e_predicted| / sum l e over filled nodes",
+                  [](const Record& r) { return r.mismatch; }},
+    RecordedScalar{"drift", "1", "max |applied - network pressure| over max net pressure",
+                  [](const Record& r) { return r.drift; }},
+    RecordedScalar{"newton_iterations", "1", "of the network in the interval",
+                  [](const Record& r) { return double(r.newton_iterations); }},
+    RecordedScalar{"halvings", "1", "how often the network halved the interval",
+                  [](const Record& r) { return double(r.halvings); }},
+    RecordedScalar{"kinetic_energy", "J", "with the scaled mass",
+                  [](const Record& r) { return r.kinetic_energy; }},
+    RecordedScalar{"strain_energy", "J", "of the change from in situ",
+                  [](const Record& r) { return r.strain_energy; }},
+    RecordedScalar{"mass_scale", "1", "factor on the density", [](const Record& r) { return r.mass_scale; }},
+    RecordedScalar{"stable_step", "s", "of the structure", [](const Record& r) { return r.stable_step; }},
+};
+
+}  // namespace
+
+std::span<const RecordedScalar> recorded_scalars() {
+  return columns;
+}
+
+std::optional<std::size_t> recorded_scalar_index(std::string_view name) {
+  const auto found = std::find_if(columns.begin(), columns.end(),
+                                  [&](const RecordedScalar& column) { return column.name == name; });
+  if (found == columns.end()) return std::nullopt;
+  return static_cast<std::size_t>(std::distance(columns.begin(), found));
+}
+
+}  // namespace fissura::coupler

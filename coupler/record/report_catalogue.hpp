@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+/// Where the field reports of a run are found; what a reader such as ParaView needs to know.
+namespace fissura::coupler {
+
+/// One array in a segment.
+struct StoredArray {
+  std::string name;                  ///< as shown to a reader
+  std::string dtype, unit;           ///< as in Array
+  std::vector<std::uint64_t> shape;  ///< row-major
+  std::string
+      location;  ///< "segments/000001.h5:/reports/000001/structure/displacement", from the run directory
+};
+
+/// The mesh of one geometry number.
+struct StoredMesh {
+  StoredArray position;  ///< [nodes x 2], m
+  StoredArray elements;  ///< [elements x 3], node indices
+};
+
+/// The fracture network of one topology revision.
+struct StoredNetwork {
+  StoredArray position;  ///< [nodes x 2], m
+  StoredArray segments;  ///< [segments x 2], node indices
+};
+
+/// One field report.
+struct StoredReport {
+  std::uint64_t number = 0;                            ///< from 1, through all segments
+  double time = 0;                                     ///< [s]
+  std::uint64_t geometry = 0;                          ///< number of its mesh
+  std::uint64_t revision = 0;                          ///< topology revision of its network
+  std::vector<StoredArray> mesh_nodes, mesh_elements;  ///< first dimension: nodes, elements of the mesh
+  std::vector<StoredArray> network_nodes,
+      network_segments;  ///< first dimension: nodes, segments of the network
+};
+
+struct ReportCatalogue {
+  std::map<std::uint64_t, StoredMesh> meshes;       ///< by geometry number
+  std::map<std::uint64_t, StoredNetwork> networks;  ///< by topology revision
+  std::vector<StoredReport> reports;                ///< in time order
+};
+
+}  // namespace fissura::coupler

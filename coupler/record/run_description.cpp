@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupler/record/run_description.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+
+#include "common/hash.hpp"
+#include "coupler/record/hdf5_file.hpp"
+
+namespace fissura::coupler {
+
+namespace {
+
+std::map<std::string, std::string> all_libraries(const std::map<std::string, std::string>& told) {
+  std::map<std::string, std::string> libraries{
+      {"HDF5", hdf5_version()},
+      {"libzmq", FISSURA_ZEROMQ_VERSION},
+      {"CGAL", FISSURA_CGAL_VERSION},
+      {"Eigen", FISSURA_EIGEN_VERSION},
+      {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
+  };
+  for (const auto& [library, version] : told) libraries[library] = version;
+  return libraries;
+}
+
+}  // namespace
+
+std::string case_hash(const nlohmann::json& effective_case) {
+  const std::string text = effective_case.dump();
+  return sha256(std::as_bytes(std::span(text)));
+}
+
+nlohmann::json run_json(const RunDescription& description) {
+  nlohmann::json inputs = nlohmann::json::object();
+  for (const auto& file : description.input_files) inputs[file.filename().string()] = sha256_of_file(file);
+  return {
+      {"program", "fissura"},
+      {"version", FISSURA_VERSION},
+      {"git_commit", FISSURA_GIT_COMMIT},
+      {"compiler", FISSURA_COMPILER},
+      {"libraries", all_libraries(description.libraries)},
+      {"run_id", description.run_id},
+      {"title", description.title},
+      {"case_hash", case_hash(description.effective_case)},
+      {"inputs", inputs},
+      {"threads", description.threads},
+      {"command_line", description.command_line},
+      {"participants", description.participants},
+      {"started", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
+  };
+}
+
+}  // namespace fissura::coupler

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupler/record/run_directory.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+#include "common/errors.hpp"
+
+namespace fissura::coupler {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* lock_name = "lock";
+constexpr std::array our_entries{"run.json",    "effective_case.json", "input",       "columns.json",
+                                 "history.csv", "ledger.csv",          "log.jsonl",   "segments",
+                                 "fields.xdmf", "fractures.xdmf",      "summary.json"};
+
+[[noreturn]] void refuse(const std::string& sentence) {
+  throw Error(ExitCode::precondition, sentence);
+}
+
+std::string holder_of(const fs::path& lock) {
+  std::ifstream stream(lock);
+  long pid = 0;
+  if (stream >> pid) return fmt::format("pid {}", pid);
+  return "another process";
+}
+
+[[noreturn]] void refuse_taken(const fs::path& directory) {
+  throw Error(ExitCode::role_taken,
+              fmt::format("the run directory {} is in use by {}: wait for that run or choose another --out",
+                          directory.string(), holder_of(directory / lock_name)));
+}
+
+bool is_finished_run(const fs::path& directory) {
+  return fs::exists(directory / "run.json") && fs::exists(directory / "summary.json");
+}
+
+bool holds_only_our_lock(const fs::path& directory) {
+  for (const auto& entry : fs::directory_iterator(directory))
+    if (entry.path().filename() != lock_name) return false;
+  return true;
+}
+
+void check_content(const fs::path& directory) {
+  if (holds_only_our_lock(directory) || is_finished_run(directory)) return;
+  if (fs::exists(directory / "run.json"))
+    refuse(fmt::format(
+        "{} holds a run that did not finish: choose another --out, or delete the directory if its "
+        "results are not wanted",
+        directory.string()));
+  refuse(fmt::format("{} is not empty and not a run directory: choose another --out", directory.string()));
+}
+
+void check_kind(const fs::path& directory) {
+  if (fs::exists(directory) && !fs::is_directory(directory))
+    refuse(fmt::format("{} is not a directory: choose another --out", directory.string()));
+}
+
+int try_lock(const fs::path& directory) {
+  const fs::path lock = directory / lock_name;
+  const int descriptor = ::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  if (descriptor < 0)
+    refuse(fmt::format("cannot write in the run directory {}: {}", directory.string(), std::strerror(errno)));
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  const int reason = errno;
+  ::close(descriptor);
+  if (reason == EWOULDBLOCK) refuse_taken(directory);
+  refuse(fmt::format("cannot lock the run directory {}: {}", directory.string(), std::strerror(reason)));
+}
+
+bool is_locked(const fs::path& directory) {
+  const int descriptor = ::open((directory / lock_name).c_str(), O_RDWR | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool taken = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return taken;
+}
+
+void write_pid(int lock, const fs::path& directory) {
+  const std::string text = fmt::format("{}\n", ::getpid());
+  if (::ftruncate(lock, 0) != 0 ||
+      ::pwrite(lock, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size()))
+    throw StorageError(
+        fmt::format("cannot write {}: {}", (directory / lock_name).string(), std::strerror(errno)));
+}
+
+}  // namespace
+
+void RunDirectory::check(const fs::path& directory) {
+  try {
+    check_kind(directory);
+    if (!fs::exists(directory)) return;
+    if (is_locked(directory)) refuse_taken(directory);
+    check_content(directory);
+  } catch (const fs::filesystem_error& error) {
+    refuse(fmt::format("cannot read the run directory {}: {}", directory.string(), error.code().message()));
+  }
+}
+
+RunDirectory::RunDirectory(const fs::path& directory) {
+  check(directory);
+  try {
+    fs::create_directories(directory);
+    path_ = fs::canonical(directory);
+    fs::permissions(path_, fs::perms::owner_all);
+  } catch (const fs::filesystem_error& error) {
+    refuse(fmt::format("cannot create the run directory {}: {}", directory.string(), error.code().message()));
+  }
+  lock_ = try_lock(path_);
+  try {
+    check_content(path_);
+    write_pid(lock_, path_);
+    // summary.json is what says "finished": it goes first, so that an end between two removals is seen as
+    // unfinished.
+    fs::remove(path_ / "summary.json");
+    for (const char* entry : our_entries) fs::remove_all(path_ / entry);
+  } catch (const fs::filesystem_error& error) {
+    ::close(lock_);
+    refuse(fmt::format("cannot clear the run directory {}: {}", directory.string(), error.code().message()));
+  } catch (const Error&) {
+    ::close(lock_);
+    throw;
+  }
+}
+
+RunDirectory::~RunDirectory() {
+  ::close(lock_);
+}
+
+}  // namespace fissura::coupler

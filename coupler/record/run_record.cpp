@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupler/record/run_record.hpp"
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <system_error>
+
+#include "common/errors.hpp"
+#include "coupler/record/checked_file.hpp"
+#include "coupler/record/xdmf.hpp"
+
+namespace fissura::coupler {
+
+namespace {
+
+void copy_inputs(const std::vector<std::filesystem::path>& files, const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) throw StorageError(fmt::format("cannot create {}: {}", folder.string(), failure.message()));
+  for (const auto& file : files) {
+    std::filesystem::copy_file(file, folder / file.filename(), failure);
+    if (failure)
+      throw StorageError(
+          fmt::format("cannot copy {} to {}: {}", file.string(), folder.string(), failure.message()));
+  }
+}
+
+}  // namespace
+
+RunRecord::RunRecord(const std::filesystem::path& directory, int reports_per_segment)
+    : directory_(directory), segments_(directory_.path(), reports_per_segment) {
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+void RunRecord::begin(const RunDescription& description) {
+  events_.emplace(directory() / "log.jsonl");
+  history_.write_to(directory());
+  copy_inputs(description.input_files, directory() / "input");
+  write_whole_file(directory() / "effective_case.json", description.effective_case.dump(2) + "\n");
+  write_whole_file(directory() / "run.json", run_json(description).dump(2) + "\n");
+}
+
+void RunRecord::topology(const FractureNetwork& network) {
+  event(EventLevel::info, "coupler", "topology",
+        fmt::format("revision {}: {} nodes, {} segments", network.revision(), network.nodes().size(),
+                    network.segments().size()));
+}
+
+void RunRecord::interval(const IntervalRecord& record) {
+  history_.add(record);
+  interval_ = record.interval;
+  time_ = record.time;
+}
+
+void RunRecord::fields(double time, const Message& structure_fields, const Message& network_fields,
+                       const FractureNetwork& network, const std::vector<NodeField>& node_fields) {
+  history_.flush();
+  if (segments_.add(time, structure_fields, network_fields, network, node_fields))
+    write_xdmf(directory(), segments_.closed());
+}
+
+void RunRecord::event(EventLevel level, const std::string& participant, const std::string& event,
+                      const std::string& text) {
+  ENSURE(events_.has_value());
+  events_->add({interval_, time_, level, participant, event, text});
+}
+
+void RunRecord::close() {
+  history_.flush();
+  if (segments_.close()) write_xdmf(directory(), segments_.closed());
+}
+
+void RunRecord::finish(const nlohmann::json& summary) {
+  close();
+  write_whole_file(directory() / "summary.json", summary.dump(2) + "\n");
+}
+
+}  // namespace fissura::coupler

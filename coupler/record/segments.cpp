@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupler/record/segments.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "common/errors.hpp"
+#include "common/hash.hpp"
+#include "coupler/record/field_arrays.hpp"
+
+namespace fissura::coupler {
+
+namespace {
+
+std::string segment_name(std::uint64_t number) {
+  return fmt::format("{:06}.h5", number);
+}
+
+Message node_field_arrays(const std::vector<NodeField>& node_fields) {
+  Message arrays(MessageType::fields);
+  for (const NodeField& field : node_fields) arrays.add(field.name, field.unit, field.values);
+  return arrays;
+}
+
+void check_elements(const Array& elements, std::uint64_t nodes) {
+  std::vector<std::uint64_t> indices(elements.bytes.size() / sizeof(std::uint64_t));
+  std::memcpy(indices.data(), elements.bytes.data(), elements.bytes.size());
+  for (const std::uint64_t index : indices)
+    if (index >= nodes)
+      throw ProtocolError(
+          fmt::format("the elements of the structure name node {}; the mesh has {} nodes", index, nodes));
+}
+
+bool is_vector_of_the_plane(const Array& array) {
+  return array.dtype == "float64" && array.shape.size() == 2 && array.shape[1] == 2;
+}
+
+}  // namespace
+
+Segments::Segments(const std::filesystem::path& run_directory, int reports_per_segment)
+    : run_directory_(run_directory), reports_per_segment_(static_cast<std::uint64_t>(reports_per_segment)) {
+  ENSURE(reports_per_segment > 0);
+}
+
+bool Segments::add(double time, const Message& structure_fields, const Message& network_fields,
+                   const FractureNetwork& network, const std::vector<NodeField>& node_fields) {
+  StoredReport report;
+  report.number = reports_ + 1;
+  report.time = time;
+  report.geometry = structure_fields.value<std::uint64_t>("geometry");
+  report.revision = network.revision();
+
+  const auto [mesh_nodes, mesh_elements] = mesh_extent(report.geometry, structure_fields);
+  const Message coupler_fields = node_field_arrays(node_fields);
+  const std::uint64_t nodes = network.nodes().size(), segments = network.segments().size();
+  const SortedFields on_mesh =
+      sort_fields(structure_fields, "structure", mesh_nodes, mesh_elements, {"position", "elements"});
+  const SortedFields of_coupler = sort_fields(coupler_fields, "coupler", nodes, segments, {});
+  const SortedFields of_network = sort_fields(network_fields, "network", nodes, segments, {});
+
+  try {
+    if (!file_) open_segment();
+    write_mesh(report.geometry, structure_fields);
+    write_network(network);
+
+    const std::string group = fmt::format("/reports/{:06}", report.number);
+    const auto write_all = [&](const std::vector<const Array*>& arrays, const std::string& folder,
+                               const std::string& prefix, std::vector<StoredArray>& stored) {
+      for (const Array* array : arrays)
+        stored.push_back(write(fmt::format("{}/{}/{}", group, folder, array->name), prefix + array->name,
+                               is_vector_of_the_plane(*array) ? with_zero_third_column(*array) : *array));
+    };
+    file_->create_group(group);
+    write_all(on_mesh.nodes, "structure", "", report.mesh_nodes);
+    write_all(on_mesh.cells, "structure", "", report.mesh_elements);
+    write_all(of_coupler.nodes, "fractures", "", report.network_nodes);
+    write_all(of_coupler.cells, "fractures", "", report.network_segments);
+    write_all(of_network.nodes, "network", "network_", report.network_nodes);
+    write_all(of_network.cells, "network", "network_", report.network_segments);
+    file_->write_attribute(group, "time", time);
+    file_->write_attribute(group, "geometry", report.geometry);
+    file_->write_attribute(group, "revision", report.revision);
+    open_.reports.push_back(std::move(report));
+    ++reports_;
+  } catch (const StorageError&) {
+    abandon_segment();
+    throw;
+  }
+  return open_.reports.size() == reports_per_segment_ && close();
+}
+
+bool Segments::close() {
+  if (!file_) return false;
+  try {
+    check_and_publish();
+  } catch (const StorageError&) {
+    abandon_segment();
+    throw;
+  }
+  file_.reset();
+  closed_.meshes.merge(open_.meshes);
+  closed_.networks.merge(open_.networks);
+  closed_.reports.insert(closed_.reports.end(), open_.reports.begin(), open_.reports.end());
+  open_ = {};
+  return true;
+}
+
+void Segments::open_segment() {
+  const std::filesystem::path folder = run_directory_ / "segments";
+  if (!index_) {
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure) throw StorageError(fmt::format("cannot create {}: {}", folder.string(), failure.message()));
+    index_.emplace(folder / "index.jsonl");
+  }
+  ++segment_;
+  file_.emplace(Hdf5File::create(part()));
+}
+
+std::filesystem::path Segments::part() const {
+  return run_directory_ / "segments" / (segment_name(segment_) + ".part");
+}
+
+void Segments::abandon_segment() {
+  file_.reset();
+  open_ = {};
+  // The space is better used for the report of the failure.
+  std::error_code ignored;
+  std::filesystem::remove(part(), ignored);
+}
+
+void Segments::check_and_publish() {
+  file_->close();
+  const Hdf5File written = Hdf5File::open(part());
+  const auto check = [&](const StoredArray& array) {
+    const std::string dataset = array.location.substr(array.location.find(':') + 1);
+    if (written.describe(dataset).shape != array.shape)
+      throw StorageError(fmt::format("{} in {} is not what was written", dataset, part().string()));
+  };
+  for (const auto& [geometry, mesh] : open_.meshes) check(mesh.position), check(mesh.elements);
+  for (const auto& [revision, network] : open_.networks) check(network.position), check(network.segments);
+  for (const StoredReport& report : open_.reports)
+    for (const auto* arrays :
+         {&report.mesh_nodes, &report.mesh_elements, &report.network_nodes, &report.network_segments})
+      for (const StoredArray& array : *arrays) check(array);
+
+  const std::string hash = sha256_of_file(part());
+  std::error_code failure;
+  const std::uintmax_t size = std::filesystem::file_size(part(), failure);
+  if (failure) throw StorageError(fmt::format("cannot read {}: {}", part().string(), failure.message()));
+  publish(part(), run_directory_ / "segments" / segment_name(segment_));
+  append_to_index(hash, size);
+}
+
+void Segments::append_to_index(const std::string& file_hash, std::uintmax_t file_size) {
+  const StoredReport &first = open_.reports.front(), &last = open_.reports.back();
+  nlohmann::ordered_json line;
+  line["file"] = segment_name(segment_);
+  line["sha256"] = file_hash;
+  line["bytes"] = file_size;
+  line["reports"] = {first.number, last.number};
+  line["time"] = {first.time, last.time};
+  line["revision"] = {first.revision, last.revision};
+  line["meshes"] = nlohmann::ordered_json::array();
+  for (const auto& [geometry, mesh] : open_.meshes) line["meshes"].push_back(geometry);
+  line["networks"] = nlohmann::ordered_json::array();
+  for (const auto& [revision, network] : open_.networks) line["networks"].push_back(revision);
+  index_->append(line.dump() + "\n");
+  index_->sync();
+}
+
+const StoredMesh* Segments::find_mesh(std::uint64_t geometry) const {
+  for (const ReportCatalogue* catalogue : {&closed_, &open_})
+    if (const auto found = catalogue->meshes.find(geometry); found != catalogue->meshes.end())
+      return &found->second;
+  return nullptr;
+}
+
+std::pair<std::uint64_t, std::uint64_t> Segments::mesh_extent(std::uint64_t geometry,
+                                                              const Message& fields) const {
+  if (const StoredMesh* mesh = find_mesh(geometry)) return {mesh->position.shape[0], mesh->elements.shape[0]};
+  const Array& position = require_table(fields, "structure", "position", "float64", 2);
+  const Array& elements = require_table(fields, "structure", "elements", "uint64", 3);
+  check_elements(elements, position.shape[0]);
+  return {position.shape[0], elements.shape[0]};
+}
+
+void Segments::write_mesh(std::uint64_t geometry, const Message& fields) {
+  if (find_mesh(geometry) != nullptr) return;
+  const std::string group = fmt::format("/meshes/{:06}", geometry);
+  const Array& position = require_table(fields, "structure", "position", "float64", 2);
+  const Array& elements = require_table(fields, "structure", "elements", "uint64", 3);
+  StoredMesh mesh;
+  mesh.position = write(group + "/position", "position", position);
+  mesh.elements = write(group + "/elements", "elements", elements);
+  open_.meshes.emplace(geometry, std::move(mesh));
+}
+
+void Segments::write_network(const FractureNetwork& network) {
+  const std::uint64_t revision = network.revision();
+  if (closed_.networks.contains(revision) || open_.networks.contains(revision)) return;
+  const std::string group = fmt::format("/networks/{:06}", revision);
+  StoredNetwork stored;
+  const Message topology = topology_arrays(network);
+  for (const Array& array : topology.arrays) {
+    const StoredArray location = write(group + "/" + array.name, array.name, array);
+    if (array.name == "position") stored.position = location;
+    if (array.name == "segments") stored.segments = location;
+  }
+  open_.networks.emplace(revision, std::move(stored));
+}
+
+StoredArray Segments::write(const std::string& dataset, const std::string& shown_name, const Array& array) {
+  file_->write(dataset, array);
+  return {shown_name, array.dtype, array.unit, array.shape,
+          fmt::format("segments/{}:{}", segment_name(segment_), dataset)};
+}
+
+}  // namespace fissura::coupler
