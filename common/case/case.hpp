@@ -10,8 +10,9 @@
 /// The typed case: what case.toml says, converted to SI, checked, and constant from then on.
 ///
 /// Conventions. x points east, y north; the domain is centred on the origin. Stresses here are effective and
-/// tension positive (case.toml states its own sign, see read_case.hpp). Pressures are positive in compression.
-/// The model is plane strain of thickness `domain.thickness`; rates are those of the whole thickness.
+/// tension positive (case.toml states its own sign, see read_case.hpp). Pressures are positive in
+/// compression. The model is plane strain of thickness `domain.thickness`; rates are those of the whole
+/// thickness.
 namespace fissura {
 
 using Point = std::array<double, 2>;  ///< x, y [m]
@@ -37,12 +38,12 @@ struct MeshControls {
 };
 
 struct Rock {
-  double density = 0;            ///< [kg/m3]
-  double youngs_modulus = 0;     ///< E [Pa]
-  double poissons_ratio = 0;     ///< nu [-]
-  double tensile_strength = 0;   ///< f_t [Pa]
-  double fracture_energy = 0;    ///< G_f [J/m2]
-  double biot_coefficient = 1;   ///< alpha [-], of the rock; a fracture face carries the full fluid pressure
+  double density = 0;           ///< [kg/m3]
+  double youngs_modulus = 0;    ///< E [Pa]
+  double poissons_ratio = 0;    ///< nu [-]
+  double tensile_strength = 0;  ///< f_t [Pa]
+  double fracture_energy = 0;   ///< G_f [J/m2]
+  double biot_coefficient = 1;  ///< alpha [-], of the rock; a fracture face carries the full fluid pressure
 
   /// E' = E / (1 - nu^2) [Pa]
   [[nodiscard]] double plane_strain_modulus() const {
@@ -53,20 +54,21 @@ struct Rock {
 };
 
 /// Effective in-situ stress (tension positive) and pore pressure, linear in x and y, in equilibrium with
-/// the body force at zero displacement:  div(stress) - alpha grad(pore_pressure) + density * body_acceleration = 0.
+/// the body force at zero displacement:  div(stress) - alpha grad(pore_pressure) + density *
+/// body_acceleration = 0.
 struct InSitu {
-  std::array<double, 4> stress{};                         ///< xx, yy, xy, zz at the origin [Pa]
-  std::array<std::array<double, 2>, 4> stress_gradient{}; ///< d/dx, d/dy of each [Pa/m]
-  double pore_pressure = 0;                               ///< at the origin [Pa]
-  std::array<double, 2> pore_pressure_gradient{};         ///< [Pa/m]
-  std::array<double, 2> body_acceleration{};              ///< [m/s2]
+  std::array<double, 4> stress{};                          ///< xx, yy, xy, zz at the origin [Pa]
+  std::array<std::array<double, 2>, 4> stress_gradient{};  ///< d/dx, d/dy of each [Pa/m]
+  double pore_pressure = 0;                                ///< at the origin [Pa]
+  std::array<double, 2> pore_pressure_gradient{};          ///< [Pa/m]
+  std::array<double, 2> body_acceleration{};               ///< [m/s2]
 };
 
 enum class BoundaryKind {
-  fixed,         ///< no displacement
-  roller,        ///< no displacement normal to the side
-  traction,      ///< total traction held at the in-situ value plus `value` [Pa] (x, y)
-  displacement   ///< displacement `value` [m] (x, y), reached linearly at `ramp` [s]
+  fixed,        ///< no displacement
+  roller,       ///< no displacement normal to the side
+  traction,     ///< total traction held at the in-situ value plus `value` [Pa] (x, y)
+  displacement  ///< displacement `value` [m] (x, y), reached linearly at `ramp` [s]
 };
 
 struct Boundary {
@@ -88,11 +90,11 @@ enum class FractureKind {
 struct FractureLine {
   std::string name;
   FractureKind kind = FractureKind::open;
-  std::vector<Point> points;            ///< polyline [m], at least two
-  double tensile_strength = 0;          ///< [Pa]; of the rock for `intact`, 0 by default for `natural`
-  double fracture_energy = 0;           ///< [J/m2]; the same
-  double friction_coefficient = 0;      ///< tan(phi) [-]
-  double cohesion = 0;                  ///< of the friction law [Pa]
+  std::vector<Point> points;        ///< polyline [m], at least two
+  double tensile_strength = 0;      ///< [Pa]; of the rock for `intact`, 0 by default for `natural`
+  double fracture_energy = 0;       ///< [J/m2]; the same
+  double friction_coefficient = 0;  ///< tan(phi) [-]
+  double cohesion = 0;              ///< of the friction law [Pa]
 };
 
 /// tau = K gamma^n; Newtonian for n = 1 with K the viscosity.
@@ -116,7 +118,8 @@ struct Perforation {
 
 enum class StageControl { rate, pressure, shut_in };
 
-/// One stage of the pumping schedule; it lasts until the next begins. All perforations share one well pressure.
+/// One stage of the pumping schedule; it lasts until the next begins. All perforations share one well
+/// pressure.
 struct Stage {
   double begin = 0;  ///< [s]
   StageControl control = StageControl::rate;
@@ -136,45 +139,60 @@ enum class CouplingScheme { robin, profit2016 };
 
 struct Coupling {
   CouplingScheme scheme = CouplingScheme::robin;
-  int minimum_steps = 10;            ///< explicit steps of a coupling interval, lower limit
-  int maximum_steps = 20;            ///< upper limit
-  double front_fraction = 0.02;      ///< an interval is at most this times h / tip speed
-  double drift_tolerance = 1e-3;     ///< eta of the interval rule [-]
-  double maximum_interval = 0;       ///< [s]; 0 = no further limit
+  int minimum_steps = 10;                ///< explicit steps of a coupling interval, lower limit
+  int maximum_steps = 20;                ///< upper limit
+  double front_fraction = 0.02;          ///< an interval is at most this times h / tip speed
+  double drift_tolerance = 1e-3;         ///< eta of the interval rule [-]
+  double maximum_interval = 0;           ///< [s]; 0 = no further limit
   double fracture_normal_stiffness = 0;  ///< K_n [Pa/m] of profit2016; 0 = rigid
 };
 
 struct Dynamics {
-  double damping = 0.2;                 ///< Cundall local damping lambda [-]
-  double safety_factor = 0.8;           ///< of the stable step [-]
-  double loading_ratio = 0.05;          ///< beta of the staged mass scaling [-]
-  double event_loading_ratio = 0.2;     ///< beta_e after a change of the pumping [-]
-  double initial_mass_scale = 100;      ///< [-], >= 1
-  double maximum_mass_scale = 1e8;      ///< [-]
+  double damping = 0.2;              ///< Cundall local damping lambda [-]
+  double safety_factor = 0.8;        ///< of the stable step [-]
+  double loading_ratio = 0.05;       ///< beta of the staged mass scaling [-]
+  double event_loading_ratio = 0.2;  ///< beta_e after a change of the pumping [-]
+  double initial_mass_scale = 100;   ///< [-], >= 1
+  double maximum_mass_scale = 1e8;   ///< [-]
 };
 
 struct NetworkControls {
-  double minimum_aperture = 1e-5;       ///< floor of the aperture in the conductivity only [m]
-  double tolerance = 1e-10;             ///< of the Newton residual, relative to the content moved [-]
+  double minimum_aperture = 1e-5;  ///< floor of the aperture in the conductivity only [m]
+  double tolerance = 1e-10;        ///< of the Newton residual, relative to the content moved [-]
   int maximum_iterations = 100;
 };
 
 struct Output {
-  double interval = 0;          ///< simulated time between field reports [s]
-  int reports_per_segment = 20; ///< field reports in one HDF5 segment
+  double interval = 0;           ///< simulated time between field reports [s]
+  int reports_per_segment = 20;  ///< field reports in one HDF5 segment
 };
 
 /// Nobody waits longer than this. Wall time, seconds.
 struct Deadlines {
-  double join = 10;       ///< from the start of a participant to its HELLO, and for the mesh
-  double progress = 10;   ///< a participant at work without any progress
-  double finish = 10;     ///< from FINISH to the end of the process
+  double join = 10;      ///< from the start of a participant to its HELLO, and for the mesh
+  double progress = 10;  ///< a participant at work without any progress
+  double finish = 10;    ///< from FINISH to the end of the process
 };
 
 /// Range outside which an exchanged pressure is refused. [Pa]
 struct PressureRange {
   double minimum = 0;
   double maximum = 1e9;
+};
+
+/// How the participants reach the coupler: "ipc" (a socket in the run's own directory) or a loopback TCP
+/// endpoint.
+struct Exchange {
+  std::string endpoint = "ipc";
+};
+
+/// Which solver plays a role.
+struct Participants {
+  std::string network = "fissura";
+};
+
+struct Checkpoint {
+  std::optional<double> interval;  ///< simulated time between checkpoints [s]; none: no checkpoints
 };
 
 struct Case {
@@ -196,6 +214,9 @@ struct Case {
   Output output;
   Deadlines deadlines;
   PressureRange pressure_range;
+  Exchange exchange;
+  Participants participants;
+  Checkpoint checkpoint;
 };
 
 /// Effective tensile strength at element size h: the strength is lowered, never the energy, where the

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "common/case/case_json.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "common/case/faults.hpp"
+#include "common/case/names.hpp"
+#include "common/errors.hpp"
+
+namespace fissura {
+
+namespace {
+
+template <class E, std::size_t N>
+nlohmann::json word_of(E value, const std::array<Named<E>, N>& names) {
+  for (const Named<E>& entry : names)
+    if (entry.value == value) return std::string(entry.name);
+  throw ProtocolError("the case holds a value of an enumeration that has no name");
+}
+
+template <class E, std::size_t N>
+E value_of(const nlohmann::json& json, const std::array<Named<E>, N>& names) {
+  const std::string word = json.get<std::string>();
+  for (const Named<E>& entry : names)
+    if (entry.name == word) return entry.value;
+  throw ProtocolError(
+      fmt::format("the case says \"{}\" where one of {} is expected", word, listed(texts_of(names))));
+}
+
+}  // namespace
+
+void to_json(nlohmann::json& json, BoundaryKind value) {
+  json = word_of(value, boundary_kinds);
+}
+void from_json(const nlohmann::json& json, BoundaryKind& value) {
+  value = value_of(json, boundary_kinds);
+}
+void to_json(nlohmann::json& json, FractureKind value) {
+  json = word_of(value, fracture_kinds);
+}
+void from_json(const nlohmann::json& json, FractureKind& value) {
+  value = value_of(json, fracture_kinds);
+}
+void to_json(nlohmann::json& json, StageControl value) {
+  json = word_of(value, stage_controls);
+}
+void from_json(const nlohmann::json& json, StageControl& value) {
+  value = value_of(json, stage_controls);
+}
+void to_json(nlohmann::json& json, CouplingScheme value) {
+  json = word_of(value, coupling_schemes);
+}
+void from_json(const nlohmann::json& json, CouplingScheme& value) {
+  value = value_of(json, coupling_schemes);
+}
+
+void to_json(nlohmann::json& json, const Checkpoint& checkpoint) {
+  json = nlohmann::json{{"interval", nullptr}};
+  if (checkpoint.interval) json["interval"] = *checkpoint.interval;
+}
+void from_json(const nlohmann::json& json, Checkpoint& checkpoint) {
+  const nlohmann::json& interval = json.at("interval");
+  checkpoint.interval.reset();
+  if (!interval.is_null()) checkpoint.interval = interval.get<double>();
+}
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeSpan, end)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Domain, width, height, thickness)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MeshControls, fracture_size, far_size, corridor, gradation, seed)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rock, density, youngs_modulus, poissons_ratio, tensile_strength,
+                                   fracture_energy, biot_coefficient)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InSitu, stress, stress_gradient, pore_pressure, pore_pressure_gradient,
+                                   body_acceleration)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Boundary, kind, value, ramp)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Boundaries, west, east, south, north)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FractureLine, name, kind, points, tensile_strength, fracture_energy,
+                                   friction_coefficient, cohesion)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Fluid, name, consistency_index, power_index, bulk_modulus)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LeakOff, coefficient, spurt_volume)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Perforation, name, position, aperture)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Stage, begin, control, rate, pressure, ramp, fluid)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Injection, perforations, stages, well_index)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Coupling, scheme, minimum_steps, maximum_steps, front_fraction,
+                                   drift_tolerance, maximum_interval, fracture_normal_stiffness)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Dynamics, damping, safety_factor, loading_ratio, event_loading_ratio,
+                                   initial_mass_scale, maximum_mass_scale)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NetworkControls, minimum_aperture, tolerance, maximum_iterations)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Output, interval, reports_per_segment)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Deadlines, join, progress, finish)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PressureRange, minimum, maximum)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Exchange, endpoint)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Participants, network)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Case, schema, title, time, domain, mesh, rock, in_situ, boundary,
+                                   fractures, fluids, leak_off, injection, coupling, dynamics, network,
+                                   output, deadlines, pressure_range, exchange, participants, checkpoint)
+
+nlohmann::json case_to_json(const Case& value) {
+  return value;
+}
+
+Case case_from_json(const nlohmann::json& json) {
+  try {
+    return json.get<Case>();
+  } catch (const nlohmann::json::exception& error) {
+    throw ProtocolError(fmt::format("the case received is not complete: {}", error.what()));
+  }
+}
+
+}  // namespace fissura

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "common/case/case.hpp"
+#include "common/case/source_value.hpp"
+
+/// What concerns several keys of a case. A value that could not be read is not-a-number or empty in `value`,
+/// and no check speaks of it; `document` tells where a key was written.
+namespace fissura::input {
+
+/// All of the checks below. Adds to `faults`.
+void check_case(const Case& value, const SourceValue& document, FaultList& faults);
+
+/// check_geometry.cpp: lines inside the domain, of positive length, without doubled points and without
+/// overlap; sizes that fit; perforations on open fractures.
+void check_geometry(const Case& value, const SourceValue& document, FaultList& faults);
+
+/// check_in_situ.cpp: the boundary holds the body in x and y; the in-situ state is in equilibrium,
+///   div(stress) - alpha grad(p) + density b = 0,
+/// below the tensile strength, and below slip on every natural fracture, |tau| <= c - mu sigma_n
+/// (tension positive; Jaeger, Cook and Zimmerman 2007, ch. 3).
+void check_in_situ(const Case& value, const SourceValue& document, FaultList& faults);
+
+/// check_schedule.cpp: stages in order, from the begin of the run and within it, with known fluids; coupling,
+/// output and checkpoint intervals that fit the run.
+void check_schedule(const Case& value, const SourceValue& document, FaultList& faults);
+
+}  // namespace fissura::input

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "common/case/read_case.hpp"
+
+#include <array>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include "common/case/check_case.hpp"
+#include "common/case/plausibility.hpp"
+#include "common/case/sections.hpp"
+#include "common/case/toml_document.hpp"
+
+namespace fissura {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int known_schema = 1;
+
+void throw_if_any(const FaultList& faults) {
+  if (!faults.empty()) throw CaseFaults(faults);
+}
+
+/// case.toml of the folder or the file itself, and the folder.
+std::pair<fs::path, fs::path> locate(const fs::path& path) {
+  std::error_code trouble;
+  const bool is_folder = fs::is_directory(path, trouble) && path.extension() != ".toml";
+  const fs::path file = is_folder ? path / "case.toml" : path;
+  if (!fs::exists(file, trouble))
+    throw CaseFaults({Fault{whole(file.string()), "", "no such file",
+                            "a case folder with a case.toml, or the file itself", ""}});
+  return {file, file.has_parent_path() ? file.parent_path() : fs::path(".")};
+}
+
+/// Another schema has other keys: nothing more can be said about such a case.
+void require_known_schema(const input::SourceValue& document) {
+  const input::SourceMember* member = input::member_of(document, "schema");
+  const auto* schema = member == nullptr ? nullptr : std::get_if<std::int64_t>(&member->value.content);
+  if (schema != nullptr && *schema == known_schema) return;
+  const bool newer = schema != nullptr && *schema > known_schema;
+  throw CaseFaults(
+      {{member == nullptr ? document.where : member->value.where, "schema",
+        member == nullptr ? "nothing" : written(member->value),
+        fmt::format("{}{}", known_schema, newer ? " (the case needs a newer version of Fissura)" : ""), ""}});
+}
+
+Case read_sections(input::TableReader& document, input::CaseFiles& files) {
+  Case result;
+  result.schema = document.count("schema", input::from_to(known_schema, known_schema), known_schema);
+  result.title = document.text("title");
+  result.time = input::read_time(document);
+  result.domain = input::read_domain(document);
+  result.mesh = input::read_mesh(document);
+  result.rock = input::read_rock(document);
+  result.in_situ = input::read_in_situ(document);
+  result.boundary = input::read_boundary(document);
+  result.fractures = input::read_fractures(document, result.rock, files);
+  result.fluids = input::read_fluids(document);
+  result.leak_off = input::read_leak_off(document);
+  result.injection = input::read_injection(document);
+  result.coupling = input::read_coupling(document);
+  result.dynamics = input::read_dynamics(document);
+  result.network = input::read_network(document);
+  result.output = input::read_output(document);
+  result.deadlines = input::read_deadlines(document);
+  result.pressure_range = input::read_pressure_range(document);
+  result.exchange = input::read_exchange(document);
+  result.participants = input::read_participants(document);
+  result.checkpoint = input::read_checkpoint(document);
+  document.refuse_unknown_keys();
+  return result;
+}
+
+}  // namespace
+
+CaseReading read_case(const CaseSource& source) {
+  const auto [file, folder] = locate(source.path);
+  input::CaseFiles files{folder, {file}};
+  FaultList faults;
+  input::SourceValue document = input::read_toml(file, faults);
+  if (source.form == CaseForm::short_form) {
+    files.read.push_back(folder / "short.toml");
+    merge(document, input::read_toml(files.read.back(), faults));
+  }
+  throw_if_any(faults);
+  for (const std::string& assignment : source.overrides) input::apply_override(document, assignment, faults);
+  require_known_schema(document);
+
+  CaseReading reading;
+  input::TableReader reader(document, "", faults);
+  reading.value = read_sections(reader, files);
+  input::check_case(reading.value, document, faults);
+  throw_if_any(faults);
+  reading.warnings = input::implausible_values(reading.value, document);
+  reading.folder = folder;
+  reading.files = files.read;
+  return reading;
+}
+
+}  // namespace fissura

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "common/case/case.hpp"
+#include "common/case/table_reader.hpp"
+
+/// One function per table of case.toml; `document` reads the whole document. Each reports what is wrong
+/// within its own table, unknown keys included; what concerns several tables is left to check_case.
+namespace fissura::input {
+
+/// The files of a case: where they may lie, and which were read.
+struct CaseFiles {
+  std::filesystem::path folder;
+  std::vector<std::filesystem::path> read;
+};
+
+// read_rock.cpp
+Domain read_domain(TableReader& document);
+MeshControls read_mesh(TableReader& document);
+Rock read_rock(TableReader& document);
+
+// read_in_situ.cpp
+InSitu read_in_situ(TableReader& document);
+
+// read_boundary.cpp
+Boundaries read_boundary(TableReader& document);
+
+// read_fractures.cpp
+/// `rock` gives the defaults of intact lines.
+std::vector<FractureLine> read_fractures(TableReader& document, const Rock& rock, CaseFiles& files);
+
+// read_injection.cpp
+std::vector<Fluid> read_fluids(TableReader& document);
+LeakOff read_leak_off(TableReader& document);
+Injection read_injection(TableReader& document);
+
+// read_controls.cpp
+TimeSpan read_time(TableReader& document);
+Coupling read_coupling(TableReader& document);
+Dynamics read_dynamics(TableReader& document);
+NetworkControls read_network(TableReader& document);
+Output read_output(TableReader& document);
+Deadlines read_deadlines(TableReader& document);
+PressureRange read_pressure_range(TableReader& document);
+
+// read_participants.cpp
+Exchange read_exchange(TableReader& document);
+Participants read_participants(TableReader& document);
+Checkpoint read_checkpoint(TableReader& document);
+
+}  // namespace fissura::input
