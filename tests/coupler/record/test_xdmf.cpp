@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+#include <regex>
+#include <sstream>
+
+#include "coupler/record/hdf5_file.hpp"
+#include "coupler/record/segments.hpp"
+#include "coupler/record/xdmf.hpp"
+#include "tests/coupler/record/sample_run.hpp"
+
+using namespace fissura;
+using namespace fissura::coupler;
+
+namespace {
+
+/// Every tag is closed, in order, and every ampersand starts an entity.
+bool is_well_formed(const std::string& xml) {
+  static const std::regex tag(R"(<(/?)(\w+)((?:\s+[\w:]+="[^"<]*")*)\s*(/?)>|<\?xml[^>]*\?>)");
+  static const std::regex entity("&(?!(amp|lt|gt|quot);)");
+  if (std::regex_search(xml, entity)) return false;
+  std::vector<std::string> open;
+  std::size_t angles = 0;
+  for (std::sregex_iterator match(xml.begin(), xml.end(), tag), end; match != end; ++match) {
+    ++angles;
+    const std::string name = (*match)[2];
+    if (name.empty()) continue;
+    if ((*match)[1].length() > 0) {
+      if (open.empty() || open.back() != name) return false;
+      open.pop_back();
+    } else if ((*match)[4].length() == 0) {
+      open.push_back(name);
+    }
+  }
+  return open.empty() && angles > 0 &&
+         angles == static_cast<std::size_t>(std::count(xml.begin(), xml.end(), '<'));
+}
+
+struct DataItem {
+  std::vector<std::uint64_t> shape;
+  std::string file, dataset;
+};
+
+std::vector<DataItem> data_items(const std::string& xml) {
+  static const std::regex item(
+      R"re(<DataItem [^>]*Dimensions="([0-9 ]+)"[^>]*>([^:<]+):([^<]+)</DataItem>)re");
+  std::vector<DataItem> items;
+  for (std::sregex_iterator match(xml.begin(), xml.end(), item), end; match != end; ++match) {
+    DataItem found{{}, (*match)[2], (*match)[3]};
+    std::istringstream extents((*match)[1].str());
+    for (std::uint64_t extent; extents >> extent;) found.shape.push_back(extent);
+    items.push_back(found);
+  }
+  return items;
+}
+
+void record_three_reports(Segments& segments) {
+  const FractureNetwork before = sample::network(), after = sample::grown_network();
+  Message third = sample::structure_fields(3, 1, 1);
+  third.add_bytes("broken", std::vector<std::byte>(third.arrays[3].shape[0]));
+  segments.add(1, sample::structure_fields(1, 0, 0), sample::network_fields(before), before,
+               sample::node_fields(before, 1));
+  segments.add(2, sample::without_mesh(sample::structure_fields(2, 0, 0)), sample::network_fields(before),
+               before, sample::node_fields(before, 2));
+  segments.add(3, third, sample::network_fields(after), after, sample::node_fields(after, 3));
+  segments.close();
+}
+
+}  // namespace
+
+TEST_CASE("every dataset that XDMF names exists with the stated dimensions", "[coupler][record]") {
+  const sample::TemporaryDirectory folder;
+  Segments segments(folder.path(), 2);
+  record_three_reports(segments);
+  write_xdmf(folder.path(), segments.closed());
+
+  for (const char* name : {"fields.xdmf", "fractures.xdmf"}) {
+    INFO(name);
+    const std::string xml = sample::content(folder.path() / name);
+    CHECK(is_well_formed(xml));
+    const auto items = data_items(xml);
+    // Three reports with topology, geometry, and (fields) displacement and stress, (fractures) three node
+    // values.
+    CHECK(items.size() == (std::string(name) == "fields.xdmf" ? 3 * 4 + 1 : 3 * 5));
+    for (const DataItem& item : items) {
+      INFO(item.file << ":" << item.dataset);
+      CHECK(Hdf5File::open(folder.path() / item.file).describe(item.dataset).shape == item.shape);
+    }
+  }
+}
+
+TEST_CASE("XDMF names only closed segments", "[coupler][record]") {
+  const sample::TemporaryDirectory folder;
+  const FractureNetwork network = sample::network();
+  Segments segments(folder.path(), 2);
+  record_three_reports(segments);
+  segments.add(4, sample::structure_fields(4, 1, 1), sample::network_fields(network), network,
+               sample::node_fields(network, 4));
+  const std::string xml = fields_xdmf(segments.closed());
+  CHECK(xml.find("<Time Value=\"3\"/>") != std::string::npos);
+  CHECK(xml.find("<Time Value=\"4\"/>") == std::string::npos);
+  CHECK(xml.find("000003.h5") == std::string::npos);
+}
+
+TEST_CASE("a run without field reports has XDMF files without grids", "[coupler][record]") {
+  CHECK(is_well_formed(fields_xdmf({})));
+  CHECK(is_well_formed(fractures_xdmf({})));
+}
+
+TEST_CASE("units with markup signs keep the XML well formed", "[coupler][record]") {
+  ReportCatalogue catalogue;
+  StoredArray array{"odd", "float64", "a<b & \"c\"", {1}, "segments/000001.h5:/odd"};
+  catalogue.meshes[0] = {array, array};
+  catalogue.reports.push_back({1, 0.5, 0, 0, {array}, {}, {}, {}});
+  CHECK(is_well_formed(fields_xdmf(catalogue)));
+}
