@@ -17,17 +17,17 @@ using UnitIndex = std::uint32_t;
 
 enum class Side : std::uint8_t { west = 0, east = 1, south = 2, north = 3 };
 
-/// A pair of coincident nodes on the two sides of a fracture (a "contact unit"). Edges of several lines that meet with
-/// the same pair are merged. The face vector points from `minus` to `plus`; opening is
+/// A pair of coincident nodes on the two sides of a fracture (a "contact unit"). Edges of several lines that
+/// meet with the same pair are merged. The face vector points from `minus` to `plus`; opening is
 ///   e = (u_plus - u_minus) . face / length   (positive when the faces are apart, [m])
-/// and a pressure p loads `plus` with +p face and `minus` with -p face (per unit thickness), so that the volume per unit
-/// thickness is e * length with the same vector.
+/// and a pressure p loads `plus` with +p face and `minus` with -p face (per unit thickness), so that the
+/// volume per unit thickness is e * length with the same vector.
 struct ContactUnit {
-  NodeIndex minus = 0, plus = 0;   ///< right-hand and left-hand side of the line's direction
-  std::array<double, 2> face{};    ///< sum of half of each adjoining edge's length times its normal [m]
-  double length = 0;               ///< sum of half of each adjoining edge's length [m]
+  NodeIndex minus = 0, plus = 0;  ///< right-hand and left-hand side of the line's direction
+  std::array<double, 2> face{};   ///< sum of half of each adjoining edge's length times its normal [m]
+  double length = 0;              ///< sum of half of each adjoining edge's length [m]
   VertexIndex vertex = 0;
-  std::uint32_t line = 0;          ///< adjoining line with the greatest tensile strength, index into Case::fractures
+  std::uint32_t line = 0;  ///< adjoining line with the greatest tensile strength, index into Case::fractures
 };
 
 /// A mesh vertex on the fracture lines.
@@ -45,11 +45,11 @@ struct FractureEdge {
 };
 
 struct Mesh {
-  std::vector<Point> position;                        ///< of each node, undeformed [m]
-  std::vector<std::array<NodeIndex, 3>> elements;     ///< counter-clockwise, in Hilbert order
-  std::array<std::vector<NodeIndex>, 4> side_nodes;   ///< nodes on each Side, corners on two
-  std::vector<FractureVertex> vertices;               ///< line by line, along each line; shared ones once
-  std::vector<FractureEdge> edges;                    ///< line by line, along each line
+  std::vector<Point> position;                       ///< of each node, undeformed [m]
+  std::vector<std::array<NodeIndex, 3>> elements;    ///< counter-clockwise, in Hilbert order
+  std::array<std::vector<NodeIndex>, 4> side_nodes;  ///< nodes on each Side, corners on two
+  std::vector<FractureVertex> vertices;              ///< line by line, along each line; shared ones once
+  std::vector<FractureEdge> edges;                   ///< line by line, along each line
   std::vector<ContactUnit> units;
 };
 

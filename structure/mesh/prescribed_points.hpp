@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "structure/mesh/line_arrangement.hpp"
+#include "structure/mesh/planar_mesh.hpp"
+#include "structure/mesh/size_field.hpp"
+
+namespace fissura::structure {
+
+/// Points and edges that the mesh keeps as they are.
+struct PrescribedPoints {
+  std::vector<Point> points;         ///< of lines, then of the sides [m]
+  std::vector<PointPair> edges;      ///< of lines, then of the sides
+  std::vector<LineEdge> line_edges;  ///< those of lines, with the line
+};
+
+/// Number of equal edges on a straight stretch of length `length` [m]: the one whose edge length is nearest
+/// to `size` [m].
+int edge_count(double length, double size);
+
+/// The pieces of an arrangement with the length of the edges on them.
+std::vector<SizedSegment> stretches(const LineArrangement& lines, const MeshControls& controls);
+
+/// Divides each piece of the lines into equal edges of about fracture_size, and the four sides of the domain,
+/// between corners and line ends, into edges that follow the size field.
+PrescribedPoints prescribe_points(const LineArrangement& lines, const SizeField& field, const Case& given);
+
+}  // namespace fissura::structure

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "common/case/case.hpp"
+
+namespace fissura::structure {
+
+/// Twice the area of the triangle a b c, > 0 if it is counter-clockwise [m2].
+inline double twice_area(Point a, Point b, Point c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/// Sizes of a triangle that decide how good an element it is.
+struct TriangleShape {
+  double sine_of_smallest_angle = 0;           ///< negative if the triangle is clockwise
+  double smallest_altitude = 0;                ///< [m]
+  double shortest_edge = 0, longest_edge = 0;  ///< [m]
+};
+TriangleShape shape(Point a, Point b, Point c);
+
+/// Centre of the circle through a, b and c [m]; they must not lie on one line.
+Point circumcentre(Point a, Point b, Point c);
+
+}  // namespace fissura::structure
