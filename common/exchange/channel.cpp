@@ -151,8 +151,9 @@ class ParticipantChannel::Implementation {
 
   void send(Message message) {
     if (lost_) return;
-    if (!send_frames(socket_, encode(std::move(message), {run_, epoch_, sent_++})))
+    if (!send_frames(socket_, encode(std::move(message), {run_, epoch_, sent_})))
       throw ProtocolError("the outgoing queue to the coupler is full");
+    ++sent_;
   }
 
   std::variant<Message, Silence, ConnectionLost> receive(Seconds patience) {
@@ -223,8 +224,9 @@ class CouplerChannel::Implementation {
     try {
       const auto flags = zmq::send_flags::sndmore | zmq::send_flags::dontwait;
       if (!socket_.send(zmq::buffer(peer.identity), flags) ||
-          !send_frames(socket_, encode(std::move(message), {run_, epoch_, peer.sent++})))
+          !send_frames(socket_, encode(std::move(message), {run_, epoch_, peer.sent})))
         throw ProtocolError(fmt::format("{} could not be sent: the outgoing queue is full", label));
+      ++peer.sent;
     } catch (const zmq::error_t& fault) {
       throw ProtocolError(fmt::format("{} could not be sent: {}", label, fault.what()));
     }

@@ -88,6 +88,8 @@ class FractureNetwork {
   /// Position of a node in nodes(). Throws ProtocolError if the id is unknown.
   [[nodiscard]] std::size_t index_of(NodeId id) const;
 
+  [[nodiscard]] bool contains(NodeId id) const { return node_index_.contains(id); }
+
   /// Indices into segments() of the segments at node `index`, in the order of segments().
   [[nodiscard]] std::vector<std::size_t> segments_at(std::size_t index) const;
 

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structure/joints/face_pair.hpp"
+
+#include <algorithm>
+
+namespace fissura::structure {
+
+namespace {
+
+double damped(double force, double velocity, double lambda) {
+  if (velocity == 0) return force;
+  return force - lambda * std::abs(force) * (velocity > 0 ? 1.0 : -1.0);
+}
+
+void resist(const FacePair& pair, Vector direction, double stiffness, double step, std::span<double> velocity) {
+  if (stiffness == 0) return;
+  const double v = relative_velocity(pair, direction, velocity);
+  const double ratio = stiffness * pair.length * step * step / pair.reduced_mass();
+  change_relative_velocity(pair, direction, v / (1 + ratio) - v, velocity);
+}
+
+}  // namespace
+
+Vector damped(Vector force, Vector velocity, double lambda) {
+  return {damped(force.x, velocity.x, lambda), damped(force.y, velocity.y, lambda)};
+}
+
+FacePair face_pair(const ContactUnit& unit, std::span<const double> mass, double mass_scale) {
+  FacePair pair;
+  pair.minus = unit.minus;
+  pair.plus = unit.plus;
+  pair.mass_minus = mass_scale * mass[unit.minus];
+  pair.mass_plus = mass_scale * mass[unit.plus];
+  pair.length = unit.length;
+  const double face = std::hypot(unit.face[0], unit.face[1]);
+  pair.normal = (1 / face) * Vector{unit.face[0], unit.face[1]};
+  pair.tangent = {pair.normal.y, -pair.normal.x};
+  return pair;
+}
+
+double aperture(const JointProperties& properties, const JointState& state) {
+  return std::max(state.opening, 0.0) + properties.stored_aperture;
+}
+
+void load_by_fluid(const PressureRamp& ramp, double tau, const JointProperties& properties, const JointState& state,
+                   FacePair& pair) {
+  pair.pressure = ramp.applied(tau, aperture(properties, state));
+  if (pair.pressure > 0) pair.normal_stiffness += ramp.stiffness;
+}
+
+CohesiveTraction pull_by_cohesion(const JointProperties& properties, const JointState& state, FacePair& pair) {
+  const double q = state.greatest_separation, opening = std::max(state.opening, 0.0);
+  const CohesiveTraction pull = cohesion(properties.cohesive, opening, state.sliding, q);
+  const double envelope = properties.cohesive.envelope(q);
+  if (q > rigid_separation && opening < q) pair.normal_stiffness += envelope / q;
+  pair.tangential_stiffness = envelope / std::max(q, tangential_separation);
+  return pull;
+}
+
+double holding_cohesion(const JointProperties& properties, const JointState& state) {
+  return cohesion(properties.cohesive, std::max(state.opening, 0.0), 0, state.greatest_separation).normal;
+}
+
+double greatest_shear_traction(const JointProperties& properties, const JointState& state, double contact_pressure) {
+  return properties.friction_cohesion + properties.cohesive.envelope(state.greatest_separation) +
+         properties.friction_coefficient * std::max(contact_pressure, 0.0);
+}
+
+double relative_velocity(const FacePair& pair, Vector direction, std::span<const double> velocity) {
+  return dot(at(velocity, pair.plus) - at(velocity, pair.minus), direction);
+}
+
+void change_relative_velocity(const FacePair& pair, Vector direction, double change, std::span<double> velocity) {
+  const double impulse = pair.reduced_mass() * change;
+  set(velocity, pair.plus, at(velocity, pair.plus) + (impulse / pair.mass_plus) * direction);
+  set(velocity, pair.minus, at(velocity, pair.minus) - (impulse / pair.mass_minus) * direction);
+}
+
+void resist_implicitly(const FacePair& pair, double step, std::span<double> velocity) {
+  resist(pair, pair.normal, pair.normal_stiffness, step, velocity);
+  resist(pair, pair.tangent, pair.tangential_stiffness, step, velocity);
+}
+
+void forbid_overlap(const FacePair& pair, double opening, double step, std::span<double> velocity) {
+  const double v = relative_velocity(pair, pair.normal, velocity);
+  const double least = -std::max(opening, 0.0) / step;
+  if (v < least) change_relative_velocity(pair, pair.normal, least - v, velocity);
+}
+
+}  // namespace fissura::structure

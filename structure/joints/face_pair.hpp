@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "common/coupling/pressure_ramp.hpp"
+#include "structure/joints/joint_state.hpp"
+#include "structure/mesh/mesh.hpp"
+
+/// The mechanics of one pair of faces in one explicit step. Internal to joint_step and junction_step.
+namespace fissura::structure {
+
+/// Below this gap faces under compression count as closed [m]; a smaller one lets contact flicker at the rounding of the displacements.
+inline constexpr double contact_tolerance = 1e-7;
+
+struct Vector {
+  double x = 0, y = 0;
+};
+
+inline Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y}; }
+inline Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
+inline Vector operator*(double s, Vector a) { return {s * a.x, s * a.y}; }
+inline double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
+
+/// The vector of node i in an array of x, y pairs, and back.
+inline Vector at(std::span<const double> values, std::size_t i) { return {values[2 * i], values[2 * i + 1]}; }
+inline void set(std::span<double> values, std::size_t i, Vector v) {
+  values[2 * i] = v.x;
+  values[2 * i + 1] = v.y;
+}
+
+/// Cundall's local damping of one node: force - lambda |force| sign(velocity), by component [N/m].
+Vector damped(Vector force, Vector velocity, double lambda);
+
+/// A contact unit during one step.
+struct FacePair {
+  NodeIndex minus = 0, plus = 0;
+  double mass_minus = 0, mass_plus = 0;  ///< scaled [kg/m]
+  Vector normal, tangent;                ///< from minus to plus; tangent = (n_y, -n_x)
+  double length = 0;                     ///< [m]
+  double pressure = 0;                   ///< of the fluid, at the aperture of the step's begin [Pa]
+  double normal_stiffness = 0;           ///< of fluid and unloading cohesion, taken implicitly [Pa/m]
+  double tangential_stiffness = 0;       ///< of the cohesion, taken implicitly [Pa/m]
+
+  [[nodiscard]] double reduced_mass() const { return mass_minus * mass_plus / (mass_minus + mass_plus); }
+};
+
+FacePair face_pair(const ContactUnit& unit, std::span<const double> mass, double mass_scale);
+
+/// Hydraulic aperture of a unit: gap plus the stored aperture of a perforation [m].
+double aperture(const JointProperties& properties, const JointState& state);
+
+/// Sets pressure and stiffness of the fluid on the faces at `tau` of the coupling interval.
+void load_by_fluid(const PressureRamp& ramp, double tau, const JointProperties& properties, const JointState& state,
+                   FacePair& pair);
+
+/// Sets the implicit stiffness of the cohesion and returns its traction at the step's begin.
+CohesiveTraction pull_by_cohesion(const JointProperties& properties, const JointState& state, FacePair& pair);
+
+/// Cohesion that touching faces offer against opening [Pa].
+double holding_cohesion(const JointProperties& properties, const JointState& state);
+
+/// Mohr-Coulomb: cohesion, what is left of the rock's own, and mu times the contact pressure (compression positive) [Pa].
+double greatest_shear_traction(const JointProperties& properties, const JointState& state, double contact_pressure);
+
+/// Velocity of plus against minus along `direction` [m/s].
+double relative_velocity(const FacePair& pair, Vector direction, std::span<const double> velocity);
+
+/// Changes that velocity by `change`; the momentum of the pair stays.
+void change_relative_velocity(const FacePair& pair, Vector direction, double change, std::span<double> velocity);
+
+/// Lets the implicit stiffnesses act on the opening and sliding of this step (backward Euler): no bound on the step.
+void resist_implicitly(const FacePair& pair, double step, std::span<double> velocity);
+
+/// Leaves no overlap at the end of the step.
+void forbid_overlap(const FacePair& pair, double opening, double step, std::span<double> velocity);
+
+}  // namespace fissura::structure

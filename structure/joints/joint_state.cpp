@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structure/joints/joint_state.hpp"
+
+#include <cmath>
+
+namespace fissura::structure {
+
+namespace {
+
+JointProperties properties_of(const ContactUnit& unit, const FractureLine& line, const Rock& rock) {
+  JointProperties properties;
+  properties.kind = line.kind;
+  properties.friction_coefficient = line.friction_coefficient;
+  properties.friction_cohesion = line.cohesion;
+  if (line.kind != FractureKind::open && line.tensile_strength > 0)
+    properties.cohesive = {
+        tip_strength(line.tensile_strength, line.fracture_energy, rock.plane_strain_modulus(), unit.length),
+        line.fracture_energy};
+  return properties;
+}
+
+}  // namespace
+
+VertexIndex nearest_split_vertex(const Mesh& mesh, const Point& position) {
+  VertexIndex nearest = 0;
+  double smallest = INFINITY;
+  for (VertexIndex v = 0; v < mesh.vertices.size(); ++v) {
+    if (mesh.vertices[v].units.empty()) continue;
+    const Point& at = mesh.vertices[v].position;
+    const double distance = std::hypot(at[0] - position[0], at[1] - position[1]);
+    if (distance < smallest) {
+      smallest = distance;
+      nearest = v;
+    }
+  }
+  return nearest;
+}
+
+Joints make_joints(const Mesh& mesh, const Case& run_case) {
+  Joints joints;
+  joints.state.resize(mesh.units.size());
+  joints.ramp.resize(mesh.units.size());
+  for (const ContactUnit& unit : mesh.units) {
+    const FractureLine& line = run_case.fractures[unit.line];
+    joints.properties.push_back(properties_of(unit, line, run_case.rock));
+    joints.released.push_back(line.kind != FractureKind::intact);
+    if (line.kind == FractureKind::natural) {
+      const Point& at = mesh.vertices[unit.vertex].position;
+      const InSitu& in_situ = run_case.in_situ;
+      const double pore_pressure = in_situ.pore_pressure + in_situ.pore_pressure_gradient[0] * at[0] +
+                                   in_situ.pore_pressure_gradient[1] * at[1];
+      joints.ramp[joints.properties.size() - 1] = {pore_pressure, pore_pressure, 0, 0, 0};
+    }
+  }
+  for (const Perforation& perforation : run_case.injection.perforations)
+    for (const UnitIndex unit : mesh.vertices[nearest_split_vertex(mesh, perforation.position)].units)
+      joints.properties[unit].stored_aperture = perforation.aperture;
+  return joints;
+}
+
+}  // namespace fissura::structure

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "common/coupling/pressure_ramp.hpp"
+#include "structure/joints/cohesive_law.hpp"
+#include "structure/mesh/mesh.hpp"
+
+namespace fissura::structure {
+
+/// What never changes of a contact unit.
+struct JointProperties {
+  CohesiveLaw cohesive;             ///< with the strength the mesh can carry (tip_strength)
+  double friction_coefficient = 0;  ///< tan(phi) [-]
+  double friction_cohesion = 0;     ///< c of the friction law [Pa]
+  double stored_aperture = 0;       ///< hydraulic aperture e_0 of a perforation [m]
+  FractureKind kind = FractureKind::open;
+};
+
+/// What changes of a contact unit in every step.
+struct JointState {
+  double opening = 0;              ///< signed gap e [m]
+  double sliding = 0;              ///< of plus relative to minus along (face_y, -face_x) / length [m]
+  double opening_rate = 0;         ///< [m/s]
+  double greatest_separation = 0;  ///< q, history [m]
+  double pressure = 0;             ///< fluid pressure applied in the last step [Pa]
+  double held_normal = 0;          ///< T_n, tension positive, of the last step [Pa]
+  double held_tangential = 0;      ///< T_s of the last step [Pa]
+  double slip = 0;                 ///< accumulated |sliding| of closed faces [m]
+  bool closed = true;
+};
+
+/// All contact units of a mesh. Intact rock is held together until it is released (wet_release.hpp); open and natural fractures are
+/// released from the start, natural ones filled with pore fluid at formation pressure.
+struct Joints {
+  std::vector<JointProperties> properties;  ///< per unit
+  std::vector<JointState> state;            ///< per unit
+  std::vector<std::uint8_t> released;       ///< per unit: the faces may separate and slide
+  std::vector<PressureRamp> ramp;           ///< per unit, of the present coupling interval
+
+  [[nodiscard]] bool broken(UnitIndex unit) const {
+    return properties[unit].cohesive.broken(state[unit].greatest_separation);
+  }
+};
+
+/// The fracture vertex whose faces can separate that is nearest to `position`. @pre there is one
+VertexIndex nearest_split_vertex(const Mesh& mesh, const Point& position);
+
+/// Properties of every unit of `mesh` and the state at the start: every unit closed and at rest.
+Joints make_joints(const Mesh& mesh, const Case& run_case);
+
+}  // namespace fissura::structure

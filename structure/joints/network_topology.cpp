@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structure/joints/network_topology.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "common/errors.hpp"
+
+namespace fissura::structure {
+
+namespace {
+
+SegmentKind segment_kind(FractureKind kind) {
+  return kind == FractureKind::natural ? SegmentKind::natural : SegmentKind::hydraulic;
+}
+
+NetworkNode make_node(const Mesh& mesh, VertexIndex index, double time) {
+  const FractureVertex& vertex = mesh.vertices[index];
+  NetworkNode node;
+  node.id = index;
+  node.x = vertex.position[0];
+  node.y = vertex.position[1];
+  for (const UnitIndex unit : vertex.units) node.lumped_length += mesh.units[unit].length;
+  node.fracture = mesh.units[vertex.units.front()].line;
+  node.exposure_time = time;
+  return node;
+}
+
+NodeRole role_of(std::size_t degree, bool perforated) {
+  if (perforated) return NodeRole::perforation;
+  if (degree > 2) return NodeRole::junction;
+  return degree == 2 ? NodeRole::interior : NodeRole::tip;
+}
+
+/// Completes `insertion` (its new nodes given) with segments, parents and roles.
+void connect_nodes(const Mesh& mesh, const Case& run_case, const FractureNetwork& network, Insertion& insertion) {
+  std::set<VertexIndex> members, added;
+  for (const NetworkNode& node : network.nodes()) members.insert(vertex_of(node.id));
+  for (const NetworkNode& node : insertion.new_nodes) added.insert(vertex_of(node.id));
+  members.insert(added.begin(), added.end());
+
+  std::vector<std::size_t> degree(mesh.vertices.size(), 0);
+  std::set<VertexIndex> touched = added;
+  for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
+    const FractureEdge& edge = mesh.edges[k];
+    if (!members.contains(edge.begin) || !members.contains(edge.end)) continue;
+    ++degree[edge.begin];
+    ++degree[edge.end];
+    const bool begin_new = added.contains(edge.begin), end_new = added.contains(edge.end);
+    if (!begin_new && !end_new) continue;
+    insertion.new_segments.push_back(
+        {k, edge.begin, edge.end, edge.line, segment_kind(run_case.fractures[edge.line].kind), edge.length});
+    if (begin_new && !end_new) insertion.parents.push_back({edge.begin, edge.end});
+    if (end_new && !begin_new) insertion.parents.push_back({edge.end, edge.begin});
+    touched.insert({edge.begin, edge.end});
+  }
+
+  const auto& given = insertion.new_perforations;
+  const auto perforated = [&](NodeId id) {
+    const auto same = [id](const PerforationNode& perforation) { return perforation.node == id; };
+    return std::any_of(given.begin(), given.end(), same) ||
+           std::any_of(network.perforations().begin(), network.perforations().end(), same);
+  };
+  for (NetworkNode& node : insertion.new_nodes)
+    node.role = role_of(degree[vertex_of(node.id)], perforated(node.id));
+  for (const VertexIndex vertex : touched) {
+    if (added.contains(vertex)) continue;
+    NetworkNode node = network.nodes()[network.index_of(vertex)];
+    const NodeRole role = role_of(degree[vertex], perforated(node.id));
+    if (role == node.role) continue;
+    node.role = role;
+    insertion.updated_nodes.push_back(node);
+  }
+}
+
+}  // namespace
+
+Insertion first_insertion(const Mesh& mesh, const Joints& joints, const Case& run_case) {
+  Insertion insertion;
+  for (VertexIndex v = 0; v < mesh.vertices.size(); ++v) {
+    const auto& units = mesh.vertices[v].units;
+    const bool open = std::any_of(units.begin(), units.end(), [&](UnitIndex unit) {
+      return joints.properties[unit].kind == FractureKind::open;
+    });
+    if (open) insertion.new_nodes.push_back(make_node(mesh, v, 0));
+  }
+  if (insertion.new_nodes.empty())
+    throw InputError("no open fracture has a mesh vertex inside it: lengthen it or lower mesh.fracture_size");
+  for (const Perforation& perforation : run_case.injection.perforations) {
+    const VertexIndex vertex = nearest_split_vertex(mesh, perforation.position);
+    const bool found = std::any_of(insertion.new_nodes.begin(), insertion.new_nodes.end(),
+                                   [vertex](const NetworkNode& node) { return node.id == vertex; });
+    if (!found)
+      throw InputError(fmt::format("perforation {} at ({}, {}) m does not lie inside an open fracture",
+                                   perforation.name, perforation.position[0], perforation.position[1]));
+    insertion.new_perforations.push_back({perforation.name, vertex});
+  }
+  connect_nodes(mesh, run_case, FractureNetwork(), insertion);
+  return insertion;
+}
+
+Insertion connect(const Mesh& mesh, const Case& run_case, const FractureNetwork& network,
+                  const std::vector<VertexIndex>& vertices, double time) {
+  Insertion insertion;
+  insertion.revision = network.revision() + 1;
+  for (const VertexIndex vertex : vertices) insertion.new_nodes.push_back(make_node(mesh, vertex, time));
+  connect_nodes(mesh, run_case, network, insertion);
+  return insertion;
+}
+
+}  // namespace fissura::structure

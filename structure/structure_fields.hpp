@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "common/exchange/message.hpp"
+#include "structure/structure_state.hpp"
+
+namespace fissura::structure {
+
+enum class MeshInReport { included, known };
+
+/// FIELDS of the structure: displacement and velocity of the nodes, effective stress of the elements, and the mesh itself if the
+/// coupler does not have it yet.
+Message structure_fields(const StructureModel& model, const Geometry& geometry, const StructureState& state,
+                         MeshInReport mesh);
+
+/// kinetic, strain [J], of the whole thickness.
+nlohmann::json energies(const StructureModel& model, const Geometry& geometry, const StructureState& state);
+
+}  // namespace fissura::structure

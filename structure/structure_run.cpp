@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structure/structure_run.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "common/errors.hpp"
+#include "common/exchange/participant.hpp"
+#include "structure/dynamics/energy.hpp"
+
+namespace fissura::structure {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point begin, Clock::time_point end) {
+  return std::chrono::duration<double>(end - begin).count();
+}
+
+void require_finite(const Geometry& geometry, const StructureState& state, double time) {
+  const double energy = kinetic_energy(geometry.body, state.body.velocity, state.mass_scaling.scale());
+  if (!std::isfinite(energy))
+    throw SolverError(fmt::format("the motion of the rock is no longer finite at {} s: lower dynamics.safety_factor", time));
+}
+
+}  // namespace
+
+StructureRun::StructureRun(const StructureModel& model, const Geometry& geometry)
+    : model_(model),
+      geometry_(geometry),
+      dynamics_(geometry.body, geometry.tiles, model.moduli, model.threads),
+      joints_(geometry.mesh, geometry.joint_nodes) {}
+
+std::uint64_t StructureRun::advance(double begin, double end, StructureState& state) {
+  const auto steps = static_cast<std::uint64_t>(std::ceil((end - begin) / stable_step(model_, geometry_, state)));
+  const JointNodes joint_nodes{dynamics_.joint_force(), geometry_.joint_nodes, geometry_.body.mass,
+                               state.body.displacement, state.body.velocity};
+  Step step{(end - begin) / static_cast<double>(steps), begin, state.mass_scaling.scale(),
+            model_.run_case.dynamics.damping};
+  for (std::uint64_t k = 1; k <= steps; ++k) {
+    const double tau = static_cast<double>(k) / static_cast<double>(steps);
+    step.end = begin + tau * (end - begin);
+    const Clock::time_point start = Clock::now();
+    dynamics_.advance(state.body, step);                                        // Sect. 3.6, Eq. 8
+    const Clock::time_point middle = Clock::now();
+    joints_.advance(geometry_.mesh, joint_nodes,
+                    {step.size, step.mass_scale, step.damping, tau}, state.joints);  // Eqs. 11, 18-22
+    loop_times_.elements += seconds_between(start, middle);
+    loop_times_.joints += seconds_between(middle, Clock::now());
+    note_progress("explicit steps");
+  }
+  require_finite(geometry_, state, end);
+  return steps;
+}
+
+void scale_masses(const StructureModel& model, const Geometry& geometry, double begin, double end,
+                  StructureState& state) {
+  for (const Stage& stage : model.run_case.injection.stages)
+    if (stage.begin > 0 && stage.begin > begin && stage.begin <= end)
+      state.mass_scaling.note_pump_event(stage.begin, stage.ramp);
+  state.mass_scaling.update(end, connected_half_length(geometry.network));
+}
+
+}  // namespace fissura::structure

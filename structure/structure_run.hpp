@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "structure/dynamics/central_difference.hpp"
+#include "structure/joints/joint_step.hpp"
+#include "structure/structure_state.hpp"
+
+namespace fissura::structure {
+
+/// Wall time of the explicit loops [s].
+struct LoopTimes {
+  double elements = 0;  ///< element loop with the nodes it integrates
+  double joints = 0;    ///< joint loop with its nodes
+};
+
+/// The structure over one coupling interval in equal explicit steps: THE LOOP of this process.
+class StructureRun {
+ public:
+  /// `model` and `geometry` must outlive this; build it anew when the geometry changed.
+  StructureRun(const StructureModel& model, const Geometry& geometry);
+
+  /// Advances `state` from `begin` to `end` [s] under the pressure ramps set in its joints.
+  /// @returns number of explicit steps
+  /// Throws SolverError if the motion is no longer finite.
+  std::uint64_t advance(double begin, double end, StructureState& state);
+
+  [[nodiscard]] const LoopTimes& loop_times() const { return loop_times_; }
+
+ private:
+  const StructureModel& model_;
+  const Geometry& geometry_;
+  CentralDifference dynamics_;
+  JointStep joints_;
+  LoopTimes loop_times_;
+};
+
+/// At a coupling time [s]: follows the pumping with the mass scale.
+void scale_masses(const StructureModel& model, const Geometry& geometry, double begin, double end,
+                  StructureState& state);
+
+}  // namespace fissura::structure

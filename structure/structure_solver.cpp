@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structure/structure_solver.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "common/case/case_json.hpp"
+#include "common/errors.hpp"
+#include "common/fracture_network/insertion_json.hpp"
+#include "common/log.hpp"
+#include "structure/joints/joint_observation.hpp"
+#include "structure/joints/network_topology.hpp"
+#include "structure/joints/wet_release.hpp"
+#include "structure/structure_fields.hpp"
+#include "structure/structure_snapshot.hpp"
+
+namespace fissura::structure {
+
+void StructureSolver::join(const Assignment& assignment) {
+  const auto start = std::chrono::steady_clock::now();
+  Case run_case = case_from_json(assignment.run_case);
+  const Elasticity moduli = elasticity(run_case.rock);
+  model_.emplace(StructureModel{std::move(run_case), moduli, assignment.threads});
+  geometry_ = build_geometry(*model_);
+  state_.emplace(initial_state(*model_, geometry_));
+  run_ = std::make_unique<StructureRun>(*model_, geometry_);
+  setup_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  log::info(fmt::format("{} elements, {} nodes", geometry_.mesh.elements.size(), geometry_.mesh.position.size()));
+}
+
+Insertion StructureSolver::first_topology() {
+  const Insertion first = first_insertion(geometry_.mesh, state_->joints, model_->run_case);
+  geometry_.network.apply(first);
+  insertions_.push_back(first);
+  return first;
+}
+
+void StructureSolver::describe_state(Message& reply) {
+  const JointObservation seen = observe_joints(geometry_.mesh, state_->joints, geometry_.network);
+  reply.add("aperture", "m", seen.aperture);
+  reply.add("aperture_rate", "m/s", seen.aperture_rate);
+  reply.add("pressure_applied", "Pa", seen.pressure_applied);
+  reply.add("pressure_opening", "Pa", seen.pressure_opening);
+  reply.add("closed", "1", seen.closed);
+  reply.add("broken", "1", seen.broken);
+  reply.body["stable_step"] = stable_step(*model_, geometry_, *state_);
+  reply.body["mass_scale"] = state_->mass_scaling.scale();
+}
+
+Message StructureSolver::advance(const Message& command) {
+  const double begin = command.value<double>("begin"), end = command.value<double>("end");
+  if (begin != time_ || !(end > begin))
+    throw ProtocolError(fmt::format("ADVANCE from {} to {} s, the structure is at {} s", begin, end, time_));
+  set_ramps_of(command);
+  const std::uint64_t steps = run_->advance(begin, end, *state_);
+  time_ = end;
+  steps_ += steps;
+  scale_masses(*model_, geometry_, begin, end, *state_);
+
+  Message response(MessageType::response);
+  describe_state(response);
+  response.body["steps"] = steps;
+  response.body["energy"] = energies(*model_, geometry_, *state_);
+  if (const std::optional<Insertion> proposal = growth())
+    response.body["insertion"] = insertion_to_json(*proposal);
+  return response;
+}
+
+std::string StructureSolver::insert(const Insertion& insertion) {
+  for (const NetworkNode& node : insertion.new_nodes) {
+    const VertexIndex vertex = vertex_of(node.id);
+    if (vertex >= geometry_.mesh.vertices.size() || geometry_.mesh.vertices[vertex].units.empty())
+      throw ProtocolError(fmt::format("INSERT connects node {}, which is no fracture vertex", node.id));
+    release(geometry_.mesh, vertex, state_->joints);
+  }
+  geometry_.network.apply(insertion);
+  insertions_.push_back(insertion);
+  return geometry_.network.topology_hash();
+}
+
+Message StructureSolver::report(const Message&) {
+  const bool known = reported_geometry_ == geometry_.number;
+  reported_geometry_ = geometry_.number;
+  return structure_fields(*model_, geometry_, *state_, known ? MeshInReport::known : MeshInReport::included);
+}
+
+std::vector<std::byte> StructureSolver::save() {
+  return save_snapshot({time_, steps_, insertions_, *state_}, geometry_);
+}
+
+void StructureSolver::restore(const std::vector<std::byte>& bytes) {
+  Snapshot snapshot = restore_snapshot(bytes, geometry_, *state_);
+  time_ = snapshot.time;
+  steps_ = snapshot.steps;
+  insertions_ = std::move(snapshot.insertions);
+  geometry_.network = FractureNetwork();
+  for (const Insertion& insertion : insertions_) geometry_.network.apply(insertion);
+  state_.emplace(std::move(snapshot.state));
+  run_ = std::make_unique<StructureRun>(*model_, geometry_);
+}
+
+nlohmann::json StructureSolver::finish() {
+  const LoopTimes& times = run_->loop_times();
+  return {{"elements", geometry_.mesh.elements.size()},
+          {"nodes", geometry_.mesh.position.size()},
+          {"explicit_steps", steps_},
+          {"setup_seconds", setup_seconds_},
+          {"element_seconds", times.elements},
+          {"joint_seconds", times.joints}};
+}
+
+void StructureSolver::set_ramps_of(const Message& command) {
+  const std::size_t nodes = geometry_.network.nodes().size();
+  const auto pressure_begin = command.numbers("pressure_begin", nodes), pressure_end = command.numbers("pressure_end", nodes);
+  const auto aperture_begin = command.numbers("aperture_begin", nodes), aperture_end = command.numbers("aperture_end", nodes);
+  const auto stiffness = command.numbers("stiffness", nodes);
+  std::vector<PressureRamp> ramps;
+  for (std::size_t i = 0; i < nodes; ++i)
+    ramps.push_back({pressure_begin[i], pressure_end[i], aperture_begin[i], aperture_end[i], stiffness[i]});
+  set_ramps(geometry_.mesh, geometry_.network, ramps, state_->joints);
+}
+
+std::optional<Insertion> StructureSolver::growth() const {
+  const std::vector<VertexIndex> vertices =
+      vertices_to_release(geometry_.mesh, state_->joints, geometry_.network);
+  if (vertices.empty()) return std::nullopt;
+  return connect(geometry_.mesh, model_->run_case, geometry_.network, vertices, time_);
+}
+
+}  // namespace fissura::structure

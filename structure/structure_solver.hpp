@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "common/exchange/participant.hpp"
+#include "structure/structure_run.hpp"
+
+namespace fissura::structure {
+
+/// The structure as the coupler sees it: messages in, messages out (docs/protocol.md), no physics of its own.
+class StructureSolver : public Solver {
+ public:
+  void join(const Assignment& assignment) override;
+  Insertion first_topology() override;
+  void describe_state(Message& reply) override;
+  Message advance(const Message& command) override;
+  std::string insert(const Insertion& insertion) override;
+  Message report(const Message& command) override;
+  std::vector<std::byte> save() override;
+  void restore(const std::vector<std::byte>& state) override;
+  nlohmann::json finish() override;
+
+ private:
+  void set_ramps_of(const Message& command);
+  [[nodiscard]] std::optional<Insertion> growth() const;
+
+  std::optional<StructureModel> model_;
+  Geometry geometry_;
+  std::optional<StructureState> state_;
+  std::unique_ptr<StructureRun> run_;
+  double time_ = 0;                              ///< of the last coupling [s]
+  std::uint64_t steps_ = 0;                      ///< explicit steps so far
+  std::vector<Insertion> insertions_;            ///< all so far, from revision 0
+  std::optional<std::uint64_t> reported_geometry_;
+  double setup_seconds_ = 0;                     ///< wall time of meshing and set-up
+};
+
+}  // namespace fissura::structure

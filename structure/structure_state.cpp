@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structure/structure_state.hpp"
+
+#include "structure/dynamics/stable_step.hpp"
+#include "structure/mesh/build_mesh.hpp"
+
+namespace fissura::structure {
+
+Geometry build_geometry(const StructureModel& model) {
+  Geometry geometry;
+  geometry.mesh = build_mesh(model.run_case);
+  geometry.body = build_body(geometry.mesh, model.run_case);
+  geometry.joint_nodes = joint_nodes(geometry.mesh);
+  geometry.tiles = build_tiles(geometry.mesh, geometry.body, geometry.joint_nodes);
+  geometry.frequency_squared =
+      stiffest_element(geometry.mesh, model.moduli, model.run_case.rock.density).frequency_squared;
+  return geometry;
+}
+
+StructureState initial_state(const StructureModel& model, const Geometry& geometry) {
+  return {state_at_rest(geometry.body), make_joints(geometry.mesh, model.run_case),
+          MassScaling(model.run_case.dynamics, model.run_case.rock)};
+}
+
+double stable_step(const StructureModel& model, const Geometry& geometry, const StructureState& state) {
+  constexpr double no_spring = 0;
+  const Dynamics& dynamics = model.run_case.dynamics;
+  return stable_step(geometry.frequency_squared, no_spring,
+                     {dynamics.safety_factor, state.mass_scaling.scale(), dynamics.damping});
+}
+
+double connected_half_length(const FractureNetwork& network) {
+  double length = 0;
+  for (const NetworkNode& node : network.nodes()) length += node.lumped_length;
+  return length / 2;
+}
+
+}  // namespace fissura::structure

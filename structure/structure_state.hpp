@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/fracture_network/fracture_network.hpp"
+#include "structure/dynamics/body.hpp"
+#include "structure/dynamics/central_difference.hpp"
+#include "structure/material/elasticity.hpp"
+#include "structure/dynamics/mass_scaling.hpp"
+#include "structure/dynamics/tiles.hpp"
+#include "structure/joints/joint_state.hpp"
+#include "structure/mesh/mesh.hpp"
+
+/// The three rates of change of the structure: model (never), geometry (at coupling times), state (every step).
+namespace fissura::structure {
+
+/// Never changes after it is built.
+struct StructureModel {
+  Case run_case;
+  Elasticity moduli;
+  int threads = 1;
+};
+
+/// Mesh, everything derived from it, and the part of its fractures that is connected to the fluid.
+struct Geometry {
+  Mesh mesh;
+  Body body;
+  std::vector<NodeIndex> joint_nodes;
+  Tiles tiles;
+  double frequency_squared = 0;  ///< of the stiffest element, unscaled [1/s2]
+  std::uint64_t number = 0;      ///< grows with every change of the mesh
+  FractureNetwork network;
+};
+
+/// Changes in every explicit step.
+struct StructureState {
+  State body;
+  Joints joints;
+  MassScaling mass_scaling;  ///< changes at coupling times only
+};
+
+/// Meshes the case and builds everything that depends on the mesh. Throws InputError if it cannot be meshed.
+Geometry build_geometry(const StructureModel& model);
+
+/// In-situ equilibrium at rest.
+StructureState initial_state(const StructureModel& model, const Geometry& geometry);
+
+/// Largest stable step at the present mass scale [s]. Joints add no frequency: contact is an impulse, and the stiffness of fluid and
+/// cohesion is taken implicitly (joint_step.hpp).
+double stable_step(const StructureModel& model, const Geometry& geometry, const StructureState& state);
+
+/// Half the trace length connected to the fluid [m].
+double connected_half_length(const FractureNetwork& network);
+
+}  // namespace fissura::structure
