@@ -4,18 +4,16 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 #include <map>
 #include <stdexcept>
 
 #include "tests/reference/kgd_dontsov.hpp"
+#include "tests/reference/kgd_self_similar.hpp"
+#include "tests/reference/shut_in.hpp"
 
 namespace fissura::reference {
 namespace {
-
-struct Entry {
-  Treatment treatment;
-  double time_step, end;
-};
 
 const Rock& shale() {
   static const double modulus = 32e9 / (1 - 0.2 * 0.2), fracture_energy = 50;
@@ -23,33 +21,85 @@ const Rock& shale() {
   return rock;
 }
 
-const std::map<std::string, Entry>& entries() {
-  static const std::map<std::string, Entry> table{
-      {"kgd_leak_off", {{1.67e-3, 1e-3, 5e-5}, 0.25, 20}},
-      {"kgd_mixed", {{1.67e-3, 1e-3, 0}, 0.1, 10}},
-      {"kgd_toughness", {{1e-6, 1e-4, 0}, 0.5, 50}},
-      {"kgd_viscosity", {{0.1, 1e-3, 0}, 0.25, 20}},
+std::vector<double> evenly(double step, double end) {
+  std::vector<double> times;
+  for (int i = 1; i <= std::lround(end / step); ++i) times.push_back(i * step);
+  return times;
+}
+
+std::vector<KgdState> pumped(const Treatment& treatment, const std::vector<double>& times) {
+  const ScaledParameters p = scaled(shale(), treatment);
+  std::vector<KgdState> rows;
+  for (const double time : times) rows.push_back(kgd_dontsov::state(p, time));
+  return rows;
+}
+
+std::vector<KgdState> pumped_then_shut_in(const Treatment& treatment, double shut_in_time,
+                                          const std::vector<double>& times_after) {
+  std::vector<KgdState> rows = pumped(treatment, evenly(0.1, shut_in_time));
+  for (const KgdState& state :
+       shut_in::solve(scaled(shale(), treatment), shut_in_time, times_after, {60, 0.01}))
+    rows.push_back(state);
+  return rows;
+}
+
+std::vector<KgdState> pumped_with_power_law(double power_index, double consistency_index, double rate,
+                                            const std::vector<double>& times) {
+  const double scaled_toughness = scaled(shale(), {}).toughness;
+  std::vector<KgdState> rows;
+  for (const double time : times) {
+    const auto unit = kgd_self_similar::scales(power_index, consistency_index, rate,
+                                               shale().plane_strain_modulus, scaled_toughness, time);
+    const auto solution = kgd_self_similar::solve(power_index, unit.toughness, 80);
+    if (!solution.converged) throw std::runtime_error("the power-law fracture did not converge");
+    rows.push_back({time, solution.gamma * unit.length, solution.inlet_aperture * unit.aperture,
+                    solution.inlet_pressure * unit.pressure, 1});
+  }
+  return rows;
+}
+
+using Table = std::function<std::vector<KgdState>()>;
+
+const std::map<std::string, Table>& tables() {
+  static const Treatment mixed{1.67e-3, 1e-3, 0};
+  static const std::map<std::string, Table> all{
+      {"kgd_leak_off",
+       [] {
+         return pumped({1.67e-3, 1e-3, 5e-5}, evenly(0.25, 20));
+       }},
+      {"kgd_mixed", [] { return pumped(mixed, evenly(0.1, 10)); }},
+      {"kgd_power_law", [] { return pumped_with_power_law(0.5, 0.5, 1e-3, evenly(0.25, 10)); }},
+      {"kgd_shut_in",
+       [] {
+         std::vector<double> after;
+         for (double age = 0.05; age < 195 / 1.1; age *= 1.1) after.push_back(5 + age);
+         after.push_back(200);
+         return pumped_then_shut_in(mixed, 5, after);
+       }},
+      {"kgd_toughness",
+       [] {
+         return pumped({1e-6, 1e-4, 0}, evenly(0.5, 50));
+       }},
+      {"kgd_viscosity",
+       [] {
+         return pumped({0.1, 1e-3, 0}, evenly(0.25, 20));
+       }},
   };
-  return table;
+  return all;
 }
 
 }  // namespace
 
 std::vector<std::string> cases_with_reference() {
   std::vector<std::string> names;
-  for (const auto& [name, entry] : entries()) names.push_back(name);
+  for (const auto& [name, table] : tables()) names.push_back(name);
   return names;
 }
 
 std::vector<KgdState> case_table(const std::string& name) {
-  const auto found = entries().find(name);
-  if (found == entries().end()) throw std::invalid_argument("no reference solution for case " + name);
-  const Entry& entry = found->second;
-  const ScaledParameters p = scaled(shale(), entry.treatment);
-  std::vector<KgdState> rows;
-  const int count = static_cast<int>(std::lround(entry.end / entry.time_step));
-  for (int i = 1; i <= count; ++i) rows.push_back(kgd_dontsov::state(p, i * entry.time_step));
-  return rows;
+  const auto found = tables().find(name);
+  if (found == tables().end()) throw std::invalid_argument("no reference solution for case " + name);
+  return found->second();
 }
 
 std::string as_csv(const std::vector<KgdState>& rows) {

@@ -12,7 +12,7 @@ namespace fissura::reference {
 /// Names of the cases with a reference.csv, in alphabetical order.
 std::vector<std::string> cases_with_reference();
 
-/// Rows of cases/NAME/reference.csv, evenly spaced in time. Throws std::invalid_argument for any other name.
+/// Rows of cases/NAME/reference.csv, increasing in time. Throws std::invalid_argument for any other name.
 std::vector<KgdState> case_table(const std::string& name);
 
 /// The rows as CSV with a header of column names; SI units.
