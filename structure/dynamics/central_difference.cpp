@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structure/dynamics/central_difference.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+
+#include "common/errors.hpp"
+
+namespace fissura::structure {
+
+namespace {
+
+std::array<double, 2> sum_slots(const NodeSlots& nodes, std::size_t i,
+                                const std::vector<std::array<double, 2>>& slot_force) {
+  std::array<double, 2> sum{0, 0};
+  for (std::size_t k = nodes.first[i]; k < nodes.first[i + 1]; ++k)
+    for (int axis = 0; axis < 2; ++axis) sum[axis] += slot_force[nodes.slot[k]][axis];
+  return sum;
+}
+
+void prescribe(const PrescribedNode& prescribed, const Step& step, State& state) {
+  const double fraction = step.end < prescribed.ramp ? step.end / prescribed.ramp : 1;
+  for (int axis = 0; axis < 2; ++axis) {
+    const std::size_t dof = 2 * std::size_t{prescribed.node} + axis;
+    const double reached = fraction * prescribed.displacement[axis];
+    state.velocity[dof] = (reached - state.displacement[dof]) / step.size;
+    state.displacement[dof] = reached;
+  }
+}
+
+}  // namespace
+
+State state_at_rest(const Body& body) {
+  return {std::vector<double>(2 * body.mass.size()), std::vector<double>(2 * body.mass.size()), {}};
+}
+
+State state_at_rest(const Body& body, const Tiles& tiles) {
+  State state = state_at_rest(body);
+  state.damage = intact_damage(tiles);
+  return state;
+}
+
+CentralDifference::CentralDifference(const Body& body, const Tiles& tiles, const Elasticity& moduli,
+                                     int threads)
+    : body_(body),
+      tiles_(tiles),
+      moduli_(moduli),
+      slot_force_(tiles.slots),
+      joint_force_(2 * tiles.joint.node.size()),
+      workspace_(static_cast<std::size_t>(threads)) {}
+
+CentralDifference::CentralDifference(const Body& body, const Tiles& tiles, const Elasticity& moduli,
+                                     const RankineDamage& law, int threads)
+    : CentralDifference(body, tiles, moduli, threads) {
+  law_ = law;
+  lowest_strength_ = admissible_strength(law, longest_edge(tiles));
+}
+
+void CentralDifference::advance(State& state, const Step& step) {
+  ENSURE(!law_ || state.damage.size() == tiles_.tile.size());
+  const int threads =
+      static_cast<int>(std::min(workspace_.size(), std::max<std::size_t>(tiles_.tile.size(), 1)));
+#pragma omp parallel num_threads(threads) if (threads > 1)
+  {
+    TileWorkspace& workspace = workspace_[static_cast<std::size_t>(omp_get_thread_num())];
+#pragma omp for schedule(dynamic)
+    for (std::size_t t = 0; t < tiles_.tile.size(); ++t) advance_tile(t, state, step, workspace);
+#pragma omp for schedule(static) nowait
+    for (std::size_t i = 0; i < tiles_.shared.node.size(); ++i) advance_shared_node(i, state, step);
+#pragma omp for schedule(static)
+    for (std::size_t i = 0; i < tiles_.joint.node.size(); ++i) gather_joint_force(i);
+#pragma omp for schedule(static)
+    for (std::size_t i = 0; i < body_.prescribed.size(); ++i) prescribe(body_.prescribed[i], step, state);
+  }
+}
+
+void CentralDifference::advance_tile(std::size_t t, State& state, const Step& step,
+                                     TileWorkspace& workspace) {
+  const Tile& tile = tiles_.tile[t];
+  gather_nodes(tile, state.displacement, workspace);
+  if (law_)
+    add_damaging_forces(tile, moduli_, *law_, lowest_strength_, state.damage[t], workspace);
+  else
+    add_elastic_forces(tile, moduli_, workspace);
+
+  for (std::size_t i = 0; i < tile.interior.size(); ++i) {
+    const InteriorNode& node = tile.interior[i];
+    const std::size_t dof = 2 * std::size_t{tile.nodes[i]};
+    for (int axis = 0; axis < 2; ++axis)
+      integrate(workspace.force[i][axis] + node.external_force[axis], node.inverse_mass[axis], step,
+                state.velocity[dof + axis], state.displacement[dof + axis]);
+  }
+  std::copy_n(workspace.force.begin() + static_cast<std::ptrdiff_t>(tile.interior.size()),
+              tile.shared_nodes(), slot_force_.begin() + static_cast<std::ptrdiff_t>(tile.first_slot));
+}
+
+void CentralDifference::advance_shared_node(std::size_t i, State& state, const Step& step) const {
+  const auto force = sum_slots(tiles_.shared, i, slot_force_);
+  const NodeIndex node = tiles_.shared.node[i];
+  for (int axis = 0; axis < 2; ++axis) {
+    const std::size_t dof = 2 * std::size_t{node} + axis;
+    integrate(force[axis] + body_.external_force[dof], body_.inverse_mass[node][axis], step,
+              state.velocity[dof], state.displacement[dof]);
+  }
+}
+
+void CentralDifference::gather_joint_force(std::size_t i) {
+  const auto force = sum_slots(tiles_.joint, i, slot_force_);
+  for (int axis = 0; axis < 2; ++axis)
+    joint_force_[2 * i + axis] =
+        force[axis] + body_.external_force[2 * std::size_t{tiles_.joint.node[i]} + axis];
+}
+
+}  // namespace fissura::structure

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "structure/dynamics/body.hpp"
+#include "structure/dynamics/damage_state.hpp"
+#include "structure/dynamics/element_loop.hpp"
+#include "structure/dynamics/tiles.hpp"
+
+/// Explicit central differences with lumped mass and Cundall's local damping (Cundall 1987):
+///   F       = f_internal(u^n) + f_external
+///   v^{n+1/2} = v^{n-1/2} + dt / (mass_scale m) (F - damping |F| sign(v^{n-1/2})) ,   sign(0) = 0
+///   u^{n+1} = u^n + dt v^{n+1/2}
+/// component by component. Nodes of joints are left to the joint law.
+namespace fissura::structure {
+
+/// What the dynamics change. Vectors are interleaved x, y per node of the mesh.
+struct State {
+  std::vector<double> displacement;  ///< at the step [m]
+  std::vector<double> velocity;      ///< at the half step before it [m/s]
+  Damage damage;                     ///< empty without bulk failure
+};
+
+/// At rest at the in-situ state, of an elastic body.
+State state_at_rest(const Body& body);
+
+/// The same of a body that can soften, undamaged.
+State state_at_rest(const Body& body, const Tiles& tiles);
+
+struct Step {
+  double size = 0;        ///< dt [s]
+  double end = 0;         ///< simulated time after the step [s], for prescribed displacements
+  double mass_scale = 1;  ///< of all masses alike [-]
+  double damping = 0;     ///< local damping [-], 0 <= damping < 1
+};
+
+class CentralDifference {
+ public:
+  /// Elastic body. `body` and `tiles` must outlive this and are read in every step. `threads` >= 1; the
+  /// result is the same for any number.
+  CentralDifference(const Body& body, const Tiles& tiles, const Elasticity& moduli, int threads);
+
+  /// Body that also softens. Its State has a damage state.
+  CentralDifference(const Body& body, const Tiles& tiles, const Elasticity& moduli, const RankineDamage& law,
+                    int threads);
+
+  /// Moves every node but the joint nodes by one step and computes the forces on the joint nodes.
+  void advance(State& state, const Step& step);
+
+  /// Force on each joint node before the last step's motion, internal and external, undamped, in the order of
+  /// `Tiles::joint.node`, interleaved x, y [N/m].
+  [[nodiscard]] const std::vector<double>& joint_force() const { return joint_force_; }
+
+ private:
+  void advance_tile(std::size_t t, State& state, const Step& step, TileWorkspace& workspace);
+  void advance_shared_node(std::size_t i, State& state, const Step& step) const;
+  void gather_joint_force(std::size_t i);
+
+  const Body& body_;
+  const Tiles& tiles_;
+  Elasticity moduli_;
+  std::optional<RankineDamage> law_;
+  double lowest_strength_ = 0;
+  std::vector<std::array<double, 2>> slot_force_;
+  std::vector<double> joint_force_;
+  std::vector<TileWorkspace> workspace_;
+};
+
+/// Integrates one component of a node: updates its velocity [m/s] and displacement [m] with the force F
+/// [N/m]. `inverse_mass` [m/kg] is that of `Body`, without mass scale.
+inline void integrate(double force, double inverse_mass, const Step& step, double& velocity,
+                      double& displacement) {
+  const double direction = static_cast<double>(velocity > 0) - static_cast<double>(velocity < 0);
+  const double damped = force - step.damping * (force < 0 ? -force : force) * direction;
+  velocity += step.size / step.mass_scale * inverse_mass * damped;
+  displacement += step.size * velocity;
+}
+
+}  // namespace fissura::structure

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+/// Vectors of `lanes` doubles (vector extension of GCC and Clang): each lane is computed as a scalar would
+/// be, so a result does not depend on the width. The width is that of the machine's registers, in a group of
+/// eight.
+namespace fissura::structure {
+
+#ifdef __AVX512F__
+constexpr std::size_t lanes = 8;
+#else
+constexpr std::size_t lanes = 4;
+#endif
+
+using Quad = double __attribute__((vector_size(4 * sizeof(double))));
+using Pair = double __attribute__((vector_size(2 * sizeof(double))));
+using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
+using FloatLanes = float __attribute__((vector_size(lanes * sizeof(float))));
+using LaneMask = std::int64_t __attribute__((vector_size(lanes * sizeof(std::int64_t))));
+
+/// What an element needs to know of a node, and the force on it.
+struct alignas(32) NodeRecord {
+  double x, y;    ///< [m]
+  double ux, uy;  ///< [m]
+};
+
+/// Records of `lanes` nodes, one vector per member.
+struct RecordLanes {
+  Lanes x, y, ux, uy;
+};
+
+namespace detail {
+
+inline Quad load_record(const NodeRecord& record) {
+  Quad quad;
+  std::memcpy(&quad, &record, sizeof(quad));
+  return quad;
+}
+
+}  // namespace detail
+
+/// Reads and transposes the records of `lanes` nodes.
+inline RecordLanes load_records(const NodeRecord* record, const std::uint16_t* node) {
+  const auto quad = [&](std::size_t lane) { return detail::load_record(record[node[lane]]); };
+#ifdef __AVX512F__
+  const auto join = [&](std::size_t lane) {
+    return __builtin_shufflevector(quad(lane), quad(lane + 4), 0, 1, 2, 3, 4, 5, 6, 7);
+  };
+  const Lanes a = join(0), b = join(1), c = join(2), d = join(3);
+  const Lanes x_ux_ab = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+  const Lanes y_uy_ab = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+  const Lanes x_ux_cd = __builtin_shufflevector(c, d, 0, 8, 2, 10, 4, 12, 6, 14);
+  const Lanes y_uy_cd = __builtin_shufflevector(c, d, 1, 9, 3, 11, 5, 13, 7, 15);
+  return {__builtin_shufflevector(x_ux_ab, x_ux_cd, 0, 1, 8, 9, 4, 5, 12, 13),
+          __builtin_shufflevector(y_uy_ab, y_uy_cd, 0, 1, 8, 9, 4, 5, 12, 13),
+          __builtin_shufflevector(x_ux_ab, x_ux_cd, 2, 3, 10, 11, 6, 7, 14, 15),
+          __builtin_shufflevector(y_uy_ab, y_uy_cd, 2, 3, 10, 11, 6, 7, 14, 15)};
+#else
+  const Quad a = quad(0), b = quad(1), c = quad(2), d = quad(3);
+  const Quad x_ux_ab = __builtin_shufflevector(a, b, 0, 4, 2, 6),
+             y_uy_ab = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Quad x_ux_cd = __builtin_shufflevector(c, d, 0, 4, 2, 6),
+             y_uy_cd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  return {__builtin_shufflevector(x_ux_ab, x_ux_cd, 0, 1, 4, 5),
+          __builtin_shufflevector(y_uy_ab, y_uy_cd, 0, 1, 4, 5),
+          __builtin_shufflevector(x_ux_ab, x_ux_cd, 2, 3, 6, 7),
+          __builtin_shufflevector(y_uy_ab, y_uy_cd, 2, 3, 6, 7)};
+#endif
+}
+
+/// Single-precision values as double lanes.
+inline Lanes load_floats(const float* value) {
+  FloatLanes floats;
+  std::memcpy(&floats, value, sizeof(floats));
+  return __builtin_convertvector(floats, Lanes);
+}
+
+/// Adds (x, y) of each lane to the force of its node, in ascending order of the lanes.
+inline void add_forces(std::array<double, 2>* force, const std::uint16_t* node, const Lanes& x,
+                       const Lanes& y) {
+  const auto add = [&](std::size_t lane, const Pair& value) {
+    Pair sum;
+    std::memcpy(&sum, &force[node[lane]], sizeof(sum));
+    sum += value;
+    std::memcpy(&force[node[lane]], &sum, sizeof(sum));
+  };
+#ifdef __AVX512F__
+  const Lanes even = __builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14);
+  const Lanes odd = __builtin_shufflevector(x, y, 1, 9, 3, 11, 5, 13, 7, 15);
+  add(0, __builtin_shufflevector(even, even, 0, 1));
+  add(1, __builtin_shufflevector(odd, odd, 0, 1));
+  add(2, __builtin_shufflevector(even, even, 2, 3));
+  add(3, __builtin_shufflevector(odd, odd, 2, 3));
+  add(4, __builtin_shufflevector(even, even, 4, 5));
+  add(5, __builtin_shufflevector(odd, odd, 4, 5));
+  add(6, __builtin_shufflevector(even, even, 6, 7));
+  add(7, __builtin_shufflevector(odd, odd, 6, 7));
+#else
+  const Lanes even = __builtin_shufflevector(x, y, 0, 4, 2, 6),
+              odd = __builtin_shufflevector(x, y, 1, 5, 3, 7);
+  add(0, __builtin_shufflevector(even, even, 0, 1));
+  add(1, __builtin_shufflevector(odd, odd, 0, 1));
+  add(2, __builtin_shufflevector(even, even, 2, 3));
+  add(3, __builtin_shufflevector(odd, odd, 2, 3));
+#endif
+}
+
+/// True if any lane is set.
+inline bool any(const LaneMask& mask) {
+  std::int64_t combined = 0;
+  for (std::size_t lane = 0; lane < lanes; ++lane) combined |= mask[lane];
+  return combined != 0;
+}
+
+}  // namespace fissura::structure

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structure/material/rankine_damage.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fissura::structure {
+
+namespace {
+
+double linear_final_strain(const RankineDamage& law, double strength, double band_length) {
+  return 2 * law.fracture_energy / (strength * band_length);
+}
+
+double exponential_strain(const RankineDamage& law, double strength, double band_length) {
+  return law.fracture_energy / (strength * band_length) - 0.5 * strength / law.youngs_modulus;
+}
+
+double major_principal(const InPlane<double>& stress) {
+  return mohr_centre(stress) + std::sqrt(mohr_radius_squared(stress));
+}
+
+}  // namespace
+
+double admissible_strength(const RankineDamage& law, double band_length) {
+  return std::min(law.tensile_strength,
+                  std::sqrt(2 * law.youngs_modulus * law.fracture_energy / band_length));
+}
+
+double damage_of_strain(const RankineDamage& law, double strength, double band_length,
+                        double equivalent_strain) {
+  const double onset = strength / law.youngs_modulus;
+  if (equivalent_strain <= onset) return 0;
+  if (law.softening == Softening::linear) {
+    const double final = linear_final_strain(law, strength, band_length);
+    if (equivalent_strain >= final) return 1;
+    return final * (equivalent_strain - onset) / (equivalent_strain * (final - onset));
+  }
+  const double decay = exponential_strain(law, strength, band_length);
+  if (decay <= 0) return 1;
+  return 1 - (onset / equivalent_strain) * std::exp(-(equivalent_strain - onset) / decay);
+}
+
+double dissipated_energy(const RankineDamage& law, const DamageHistory& history) {
+  const double onset = history.tensile_strength / law.youngs_modulus;
+  if (history.equivalent_strain <= onset) return 0;
+  const double scale = 0.5 * history.tensile_strength;
+  if (law.softening == Softening::linear) {
+    const double final = linear_final_strain(law, history.tensile_strength, history.band_length);
+    if (final <= onset) return scale * onset;
+    return scale * final * (std::min(history.equivalent_strain, final) - onset) / (final - onset);
+  }
+  const double decay = exponential_strain(law, history.tensile_strength, history.band_length);
+  if (decay <= 0) return scale * onset;
+  const double excess = (history.equivalent_strain - onset) / decay;
+  return scale * ((decay + onset) * (1 - std::exp(-excess)) + decay * (1 - (1 + excess) * std::exp(-excess)));
+}
+
+std::optional<DamageHistory> damage_onset(const RankineDamage& law, const InPlane<double>& undamaged_stress,
+                                          double band_length) {
+  const double strength = admissible_strength(law, band_length);
+  if (major_principal(undamaged_stress) <= strength) return std::nullopt;
+  return DamageHistory{strength / law.youngs_modulus, 0, band_length, strength};
+}
+
+InPlane<double> damaged_stress(const RankineDamage& law, const InPlane<double>& undamaged_stress,
+                               DamageHistory& history) {
+  const double equivalent_strain = major_principal(undamaged_stress) / law.youngs_modulus;
+  if (equivalent_strain > history.equivalent_strain) {
+    history.equivalent_strain = equivalent_strain;
+    history.damage = damage_of_strain(law, history.tensile_strength, history.band_length, equivalent_strain);
+  }
+  const auto tensile = tensile_part(undamaged_stress);
+  return {undamaged_stress.xx - history.damage * tensile.xx,
+          undamaged_stress.yy - history.damage * tensile.yy,
+          undamaged_stress.xy - history.damage * tensile.xy};
+}
+
+}  // namespace fissura::structure
