@@ -35,8 +35,8 @@ struct IntervalRecord {
   double rate = 0;              ///< injected (+) or produced (-) at the end of the interval [m3/s]
   Ledger ledger;
   double efficiency = 1;        ///< in_fractures / (injected + in_place) [-]
-  double mismatch = 0;          ///< sum l |e - e_predicted| / sum l e over filled nodes [-]: structure volume against content
-  double drift = 0;             ///< max |p_applied - p_network| over max net pressure [-]
+  double mismatch = 0;          ///< |sum l (e - e_predicted)| / sum l e over filled nodes: structure volume against content [-]
+  double drift = 0;             ///< sum l |e - e_predicted| / sum l e over filled nodes [-]
   int newton_iterations = 0;
   int halvings = 0;             ///< how often the network halved the interval
   double kinetic_energy = 0;    ///< [J] with the scaled mass

@@ -71,7 +71,7 @@ void RunRecord::close() {
   if (segments_.close()) write_xdmf(directory(), segments_.closed());
 }
 
-void RunRecord::finish(const nlohmann::json& summary) {
+void RunRecord::finish(const nlohmann::ordered_json& summary) {
   close();
   write_whole_file(directory() / "summary.json", summary.dump(2) + "\n");
 }

@@ -62,7 +62,7 @@ class RunRecord {
   void close();
 
   /// Closes, writes summary.json and thereby marks the run as finished. Throws StorageError.
-  void finish(const nlohmann::json& summary);
+  void finish(const nlohmann::ordered_json& summary);
 
  private:
   RunDirectory directory_;

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupler/verdict/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "coupler/verdict/series.hpp"
+
+namespace fissura::coupler {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_or_null(const std::optional<double>& number) {
+  return number ? Json(*number) : Json(nullptr);
+}
+
+Json quantity_json(const QuantityResult& result) {
+  Json json;
+  json["name"] = result.name;
+  json["measure"] = name(result.measure);
+  json["unit"] = result.unit;
+  json["expected"] = result.expected;
+  json["obtained"] = number_or_null(result.obtained);
+  json["relative_error"] = number_or_null(result.relative_error);
+  json["tolerance"] = number_or_null(result.tolerance);
+  json["pass"] = result.pass;
+  if (!result.remark.empty()) json["remark"] = result.remark;
+  return json;
+}
+
+std::span<const double> column(const History& history, const char* name) {
+  return history.series(name).value();
+}
+
+/// A value that is not a number is the worst there is: it must not hide behind the others.
+double worst(std::span<const double> values) {
+  double result = 0;
+  for (const double value : values) {
+    if (std::isnan(value)) return value;
+    result = std::max(result, value);
+  }
+  return result;
+}
+
+double mean(const History& history, const char* name) {
+  const auto time = column(history, "time");
+  if (time.empty()) return 0;
+  return time_mean(cut({time, column(history, name)}, {0, std::numeric_limits<double>::infinity()}));
+}
+
+std::uint64_t sum(std::span<const double> values) {
+  std::uint64_t result = 0;
+  for (const double value : values) result += static_cast<std::uint64_t>(value);
+  return result;
+}
+
+Json ledger_json(const History& history) {
+  const Ledger ledger = history.size() > 0 ? history.last().ledger : Ledger{};
+  return {{"injected", ledger.injected},
+          {"in_place", ledger.in_place},
+          {"in_fractures", ledger.in_fractures},
+          {"leaked", ledger.leaked},
+          {"reset", ledger.reset},
+          {"max_relative_residual", worst(column(history, "relative_residual"))}};
+}
+
+Json wall_json(const WallTimes& wall) {
+  const double loops = wall.element + wall.joint + wall.node;
+  return {{"total_s", wall.total},
+          {"structure_s", wall.structure},
+          {"element_s", wall.element},
+          {"joint_s", wall.joint},
+          {"node_s", wall.node},
+          {"network_s", wall.network},
+          {"coupler_s", wall.coupler},
+          {"waiting_s", wall.waiting},
+          {"structure_loops_share", wall.total > 0 ? loops / wall.total : 0}};
+}
+
+Json failure_json(const Failure& failure) {
+  return {{"exit_code", static_cast<int>(failure.code)},
+          {"code", name(failure.code)},
+          {"participant", failure.participant},
+          {"interval", failure.interval},
+          {"phase", failure.phase},
+          {"sentence", failure.sentence}};
+}
+
+}  // namespace
+
+nlohmann::ordered_json summary_json(const Verdict& verdict, const History& history,
+                                    const RunFigures& figures) {
+  Json summary;
+  summary["verdict"] = name(figures.failure ? Judgement::fail : verdict.judgement);
+  summary["quantities"] = Json::array();
+  for (const QuantityResult& result : verdict.quantities)
+    summary["quantities"].push_back(quantity_json(result));
+  summary["ledger"] = ledger_json(history);
+  summary["mismatch"] = {{"mean", mean(history, "mismatch")}, {"max", worst(column(history, "mismatch"))}};
+  summary["coupling"] = {{"intervals", history.size()},
+                         {"explicit_steps", sum(column(history, "explicit_steps"))},
+                         {"insertions", figures.insertions}};
+  summary["wall"] = wall_json(figures.wall);
+  summary["mesh"] = {{"elements", figures.elements}, {"nodes", figures.nodes}};
+  if (figures.failure) summary["failure"] = failure_json(*figures.failure);
+  return summary;
+}
+
+}  // namespace fissura::coupler
