@@ -29,7 +29,7 @@ class ScheduleCheck {
     if (stage.begin >= case_.time.end)
       refuse(index, "begin", seconds(stage.begin),
              fmt::format("earlier than the end of the run, time.end = {}", seconds(case_.time.end)));
-    if (stage.ramp > duration(index))
+    if (duration(index) > 0 && stage.ramp > duration(index))
       refuse(index, "ramp", seconds(stage.ramp),
              fmt::format("at most the {} until the next stage or the end of the run, which it would overlap",
                          seconds(duration(index))));

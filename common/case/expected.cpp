@@ -114,8 +114,10 @@ ExpectedQuantity read_quantity(TableReader& table, const Run& run) {
   ExpectedQuantity quantity;
   read_name(table, run, quantity);
   read_unit(table, run, quantity);
-  quantity.measure = table.choice("measure", measures);
   quantity.reason = table.text("reason");
+  const std::optional<Measure> measure = table.choice("measure", measures);
+  if (!measure) return quantity;
+  quantity.measure = *measure;
   read_measure(table, run, quantity);
   table.refuse_unknown_keys();
   return quantity;

@@ -9,7 +9,9 @@ Boundary read_side(TableReader& boundaries, std::string_view side) {
   Boundary boundary;
   if (!boundaries.has(side)) return boundary;
   TableReader table = boundaries.table(side);
-  boundary.kind = table.choice("kind", boundary_kinds);
+  const std::optional<BoundaryKind> kind = table.choice("kind", boundary_kinds);
+  if (!kind) return boundary;
+  boundary.kind = *kind;
   switch (boundary.kind) {
     case BoundaryKind::fixed:
     case BoundaryKind::roller:

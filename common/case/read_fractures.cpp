@@ -49,8 +49,10 @@ void refuse_if_given(TableReader& table, std::initializer_list<const char*> keys
 FractureLine read_line(TableReader& table, const Rock& rock, CaseFiles& files) {
   FractureLine line;
   line.name = table.text("name");
-  line.kind = table.choice("kind", fracture_kinds);
   line.points = read_points(table, files);
+  const std::optional<FractureKind> kind = table.choice("kind", fracture_kinds);
+  if (!kind) return line;
+  line.kind = *kind;
   switch (line.kind) {
     case FractureKind::open:
       refuse_if_given(table, {"tensile_strength", "fracture_energy", "friction_coefficient", "cohesion"},

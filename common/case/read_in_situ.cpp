@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <limits>
 
 #include "common/case/sections.hpp"
 
@@ -11,6 +12,12 @@ enum class StressSign { compression_positive, tension_positive };
 
 constexpr std::array stress_signs{Named<StressSign>{"compression_positive", StressSign::compression_positive},
                                   Named<StressSign>{"tension_positive", StressSign::tension_positive}};
+
+/// Without a sign no stress can be read.
+double factor_of(std::optional<StressSign> sign) {
+  if (!sign) return std::numeric_limits<double>::quiet_NaN();
+  return *sign == StressSign::tension_positive ? 1 : -1;
+}
 
 std::array<double, 4> components(double maximum_horizontal, double minimum_horizontal, double vertical,
                                  double azimuth) {
@@ -36,8 +43,7 @@ void read_gradient(TableReader& table, double to_tension_positive, InSitu& in_si
 
 InSitu read_in_situ(TableReader& document) {
   TableReader table = document.table("in_situ");
-  const StressSign sign = table.choice("sign", stress_signs);
-  const double to_tension_positive = sign == StressSign::tension_positive ? 1 : -1;
+  const double to_tension_positive = factor_of(table.choice("sign", stress_signs));
   const double maximum = table.quantity("maximum_horizontal_stress", dimension::stress, any_value);
   const double minimum = table.quantity("minimum_horizontal_stress", dimension::stress, any_value);
   const double vertical = table.quantity("vertical_stress", dimension::stress, any_value);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,17 +61,17 @@ class TableReader {
   /// One of some words; a faulty one reads as empty.
   std::string word(std::string_view key, const std::vector<std::string>& allowed);
 
-  /// One of the names of an enumeration; a faulty one reads as the first.
+  /// One of the names of an enumeration; a missing or faulty one reads as nothing.
   template <class E, std::size_t N>
-  E choice(std::string_view key, const std::array<Named<E>, N>& names) {
+  std::optional<E> choice(std::string_view key, const std::array<Named<E>, N>& names) {
     const std::string chosen = word(key, texts_of(names));
     for (const Named<E>& entry : names)
       if (entry.name == chosen) return entry.value;
-    return names.front().value;
+    return {};
   }
   template <class E, std::size_t N>
   E choice(std::string_view key, const std::array<Named<E>, N>& names, E fallback) {
-    return has(key) ? choice(key, names) : fallback;
+    return has(key) ? choice(key, names).value_or(fallback) : fallback;
   }
 
   /// The table under the key; if it is missing, that is a fault, and nothing more is reported about its keys.

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/common/case_fixture.hpp"
+
+using namespace fissura;
+using namespace fissura::test;
+
+using Lines = std::vector<std::string>;
+
+namespace {
+
+const std::string points_of_wing = "points = [[\"1 m\", \"0 m\"], [\"16 m\", \"0 m\"]]";
+
+}  // namespace
+
+TEST_CASE("malformed case 26: a file of points that is not there, or holds no points",
+          "[common][case][malformed]") {
+  const Folder folder;
+  folder.write("case.toml", replaced(valid_case, points_of_wing, "file = \"wing.csv\""));
+  SECTION("not there") {
+    const Lines faults = faults_in(folder);
+    REQUIRE(faults.size() == 1);
+    CHECK_THAT(faults[0], Catch::StartsWith(
+                              "case.toml:41:8: fracture[1].file: found \"wing.csv\", expected a file of the "
+                              "case folder; there is no file /"));
+  }
+  SECTION("no points in it") {
+    folder.write("wing.csv", "# x,y\n1,0\n16;0\n");
+    const Lines faults = faults_in(folder);
+    REQUIRE(faults.size() == 1);
+    CHECK_THAT(faults[0], Catch::Contains("expected x,y in metres on every line; /"));
+    CHECK_THAT(faults[0], Catch::EndsWith("wing.csv:3 has \"16;0\""));
+  }
+  SECTION("a good one") {
+    folder.write("wing.csv", "# x,y\n1,0\n16, 0\r\n");
+    CHECK(faults_in(folder) == Lines{});
+  }
+}
+
+TEST_CASE("malformed case 32: a table of fracture sets, which this version does not know",
+          "[common][case][malformed]") {
+  const Lines faults = faults_of(valid_case + "[natural_fractures]\nspacing = \"0 m\"\npersistence = 1.5\n");
+  REQUIRE(faults.size() == 1);
+  CHECK_THAT(faults[0],
+             Catch::StartsWith("case.toml:67:2: natural_fractures: found an unknown key, expected one of "));
+}
+
+TEST_CASE("malformed case 36: no file leads out of the case folder, and none includes another",
+          "[common][case][malformed]") {
+  SECTION("upwards")
+  check_refused(
+      points_of_wing, "file = @\"../../etc/passwd\"",
+      "fracture[1].file: found \"../../etc/passwd\", expected a relative path that stays in the case folder");
+  SECTION("by a symbolic link") {
+    const Folder folder;
+    std::filesystem::create_symlink("/etc/passwd", folder.path() / "wing.csv");
+    folder.write("case.toml", replaced(valid_case, points_of_wing, "file = \"wing.csv\""));
+    CHECK(faults_in(folder) ==
+          Lines{"case.toml:41:8: fracture[1].file: found \"wing.csv\", expected a relative path "
+                "that stays in the case folder"});
+  }
+  SECTION("include") {
+    const Lines faults = faults_of("include = \"case.toml\"\n" + valid_case);
+    REQUIRE(faults.size() == 1);
+    CHECK_THAT(faults[0],
+               Catch::StartsWith("case.toml:1:1: include: found an unknown key, expected one of schema,"));
+  }
+}
+
+TEST_CASE("malformed case 37: an environment variable that is not set", "[common][case][malformed]") {
+  ::unsetenv("FISSURA_TEST_MODULUS");
+  check_refused("\"32 GPa\"", "@\"${FISSURA_TEST_MODULUS}\"",
+                "rock.youngs_modulus: found ${FISSURA_TEST_MODULUS}, expected an environment variable that "
+                "is set (it is "
+                "not)");
+  ::setenv("FISSURA_TEST_MODULUS", "32", 1);
+  CHECK(faults_of(replaced(valid_case, "\"32 GPa\"", "\"${FISSURA_TEST_MODULUS} GPa\"")) == Lines{});
+  ::unsetenv("FISSURA_TEST_MODULUS");
+}
+
+TEST_CASE("malformed case 38: an absolute path", "[common][case][malformed]") {
+  check_refused(points_of_wing, "file = @\"/no/such/wing.csv\"",
+                "fracture[1].file: found \"/no/such/wing.csv\", expected a relative path that stays in the "
+                "case folder");
+}
+
+TEST_CASE("malformed case 39: participants cannot be given endpoints of their own, and so not the same one",
+          "[common][case][malformed]") {
+  CHECK(faults_of(valid_case + "[exchange]\nstructure_endpoint = \"ipc\"\nnetwork_endpoint = \"ipc\"\n") ==
+        Lines{"case.toml:68:1: exchange.structure_endpoint: found an unknown key, expected one of endpoint",
+              "case.toml:69:1: exchange.network_endpoint: found an unknown key, expected one of endpoint"});
+}
+
+TEST_CASE("malformed case 40: a solver that nobody knows", "[common][case][malformed]") {
+  check_addition_refused(
+      "[participants]\nnetwork = @\"fisura\"\n",
+      "participants.network: found \"fisura\", expected one of fissura; did you mean \"fissura\"?");
+}
+
+TEST_CASE("malformed case 41: an address that strangers can reach, without keys",
+          "[common][case][malformed]") {
+  const std::string endpoint =
+      GENERATE("tcp://0.0.0.0:5555", "tcp://*:5555", "tcp://192.168.1.7:5555", "tcp://127.0.0.1.evil.org:1");
+  check_addition_refused(
+      "[exchange]\nendpoint = @\"" + endpoint + "\"\n",
+      "exchange.endpoint: found \"" + endpoint +
+          "\", expected \"ipc\" or a loopback address such as \"tcp://127.0.0.1:*\"; from any other "
+          "address a stranger could take part, since participants prove no keys");
+  CHECK(faults_of(valid_case + "[exchange]\nendpoint = \"tcp://127.0.0.1:*\"\n") == Lines{});
+}
+
+TEST_CASE("malformed case 42: checkpoints that are never, or always, due", "[common][case][malformed]") {
+  SECTION("every 0 s")
+  check_addition_refused(
+      "[checkpoint]\ninterval = @\"0 s\"\n",
+      "checkpoint.interval: found \"0 s\", expected a time with its unit such as \"10 s\", greater than "
+      "0 s");
+  SECTION("after the end")
+  check_addition_refused("[checkpoint]\ninterval = @\"11 s\"\n",
+                         "checkpoint.interval: found 11 s, expected at most the run, time.end = 10 s");
+}
+
+TEST_CASE("malformed case 44: a case of a newer schema is refused without a word on keys it may well have",
+          "[common][case][malformed]") {
+  check_refused("schema = 1", "schema = @2\nnew_key = 1",
+                "schema: found 2, expected 1 (the case needs a newer version of Fissura)");
+}
