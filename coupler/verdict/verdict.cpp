@@ -81,7 +81,7 @@ void judge_value_at(const ExpectedQuantity& quantity, const Series& series, Quan
 }
 
 void judge_time_when_below(const ExpectedQuantity& quantity, const Series& series, QuantityResult& result) {
-  result.unit = "s";
+  result.unit = std::string("s");
   result.expected = quantity.expected_time;
   const auto time = first_time_below(series, window_of(quantity), quantity.value);
   if (!time)

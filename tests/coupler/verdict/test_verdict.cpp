@@ -27,7 +27,8 @@ History ten_seconds() {
   return history;
 }
 
-ExpectedQuantity quantity(const char* name, const char* unit, double unit_in_si, Measure measure) {
+ExpectedQuantity quantity(const std::string& name, const std::string& unit, double unit_in_si,
+                          Measure measure) {
   ExpectedQuantity result;
   result.name = name;
   result.unit = unit;
