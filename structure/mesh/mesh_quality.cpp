@@ -3,20 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "common/hash.hpp"
 #include "structure/mesh/triangle_shape.hpp"
 
 namespace fissura::structure {
-
-double element_area(const Mesh& mesh, ElementIndex element) {
-  const auto [a, b, c] = mesh.elements[element];
-  return twice_area(mesh.position[a], mesh.position[b], mesh.position[c]) / 2;
-}
 
 MeshQuality measure(const Mesh& mesh) {
   constexpr double infinity = std::numeric_limits<double>::infinity();

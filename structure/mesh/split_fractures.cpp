@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "common/errors.hpp"
@@ -13,7 +14,9 @@
 namespace fissura::structure {
 namespace {
 
-using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;
+struct CornersOfEdge {
+  std::uint32_t begin = 0, end = 0;
+};
 
 std::uint64_t key(std::uint32_t begin, std::uint32_t end) {
   return (std::uint64_t{begin} << 32) | end;
@@ -61,8 +64,8 @@ class Splitter {
         if (on_line(begin) || on_line(end)) left_of_[key(begin, end)] = {3 * t + k, 3 * t + (k + 1) % 3};
       }
     for (const LineEdge& edge : planar_.line_edges) {
-      cut_.insert({key(edge.begin, edge.end), true});
-      cut_.insert({key(edge.end, edge.begin), true});
+      cut_.insert(key(edge.begin, edge.end));
+      cut_.insert(key(edge.end, edge.begin));
     }
   }
 
@@ -73,8 +76,8 @@ class Splitter {
         if ((!on_line(begin) && !on_line(end)) || cut_.contains(key(begin, end))) continue;
         const auto beyond = left_of_.find(key(end, begin));
         if (beyond == left_of_.end()) continue;
-        join(3 * t + k, beyond->second.second);
-        join(3 * t + (k + 1) % 3, beyond->second.first);
+        join(3 * t + k, beyond->second.end);
+        join(3 * t + (k + 1) % 3, beyond->second.begin);
       }
   }
 
@@ -100,8 +103,8 @@ class Splitter {
     const std::uint32_t begin = mesh_.vertices[edge.begin].node, end = mesh_.vertices[edge.end].node;
     const auto left = left_of_.find(key(begin, end)), right = left_of_.find(key(end, begin));
     ENSURE(left != left_of_.end() && right != left_of_.end());
-    add_half(edge, edge.begin, node(right->second.second), node(left->second.first));
-    add_half(edge, edge.end, node(right->second.first), node(left->second.second));
+    add_half(edge, edge.begin, node(right->second.end), node(left->second.begin));
+    add_half(edge, edge.end, node(right->second.begin), node(left->second.end));
   }
 
   void add_half(const FractureEdge& edge, VertexIndex vertex, NodeIndex minus, NodeIndex plus) {
@@ -139,9 +142,9 @@ class Splitter {
   std::span<const FractureLine> lines_;
   Mesh mesh_;
   std::vector<VertexIndex> vertex_of_point_;
-  std::vector<std::uint32_t> wedge_;                         // union-find over corners
-  std::unordered_map<std::uint64_t, DirectedEdge> left_of_;  // corners at begin and end of a directed edge
-  std::unordered_map<std::uint64_t, bool> cut_;
+  std::vector<std::uint32_t> wedge_;                          // union-find over corners
+  std::unordered_map<std::uint64_t, CornersOfEdge> left_of_;  // corners at begin and end of a directed edge
+  std::unordered_set<std::uint64_t> cut_;
   std::map<std::pair<NodeIndex, NodeIndex>, std::size_t> unit_of_pair_;
 };
 
