@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <numeric>
+
 #include "coupler/record/checked_file.hpp"
 
 namespace fissura::coupler {
@@ -62,13 +64,20 @@ void append_attributes(std::string& xml, const std::vector<StoredArray>& arrays,
 }
 
 /// Without a segment there is nothing to draw but the nodes.
+std::string points(std::uint64_t count) {
+  std::vector<std::uint64_t> indices(count);
+  std::iota(indices.begin(), indices.end(), std::uint64_t{0});
+  return fmt::format(R"(<Topology TopologyType="Polyvertex" NumberOfElements="{}" NodesPerElement="1">)"
+                     R"(<DataItem Format="XML" NumberType="Int" Dimensions="{} 1">{}</DataItem></Topology>)",
+                     count, count, fmt::join(indices, " "));
+}
+
 std::string lines_or_points(const StoredNetwork& network) {
-  if (network.segments.shape[0] == 0)
-    return fmt::format(R"(<Topology TopologyType="Polyvertex" NumberOfElements="{}" NodesPerElement="1"/>)",
-                       network.position.shape[0]);
+  const std::uint64_t segments = network.segments.shape[0];
+  if (segments == 0) return points(network.position.shape[0]);
   return fmt::format(
       R"(<Topology TopologyType="Polyline" NumberOfElements="{}" NodesPerElement="2">{}</Topology>)",
-      network.segments.shape[0], data_item(network.segments));
+      segments, data_item(network.segments));
 }
 
 std::string triangles(const StoredMesh& mesh) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <regex>
 #include <sstream>
@@ -112,4 +113,19 @@ TEST_CASE("units with markup signs keep the XML well formed", "[coupler][record]
   catalogue.meshes[0] = {array, array};
   catalogue.reports.push_back({1, 0.5, 0, 0, {array}, {}, {}, {}});
   CHECK(is_well_formed(fields_xdmf(catalogue)));
+}
+
+TEST_CASE("a fracture network without segments is drawn as points", "[coupler][record]") {
+  const sample::TemporaryDirectory folder;
+  Insertion one_node;
+  one_node.new_nodes = {{10, 0, 0, 0.5, 1, NodeRole::perforation, 0}};
+  FractureNetwork network;
+  network.apply(one_node);
+  Segments segments(folder.path(), 1);
+  segments.add(1, sample::structure_fields(1, 0, 0), sample::network_fields(network), network,
+               sample::node_fields(network, 1));
+  const std::string xml = fractures_xdmf(segments.closed());
+  CHECK(is_well_formed(xml));
+  CHECK(xml.find("TopologyType=\"Polyvertex\" NumberOfElements=\"1\"") != std::string::npos);
+  CHECK(xml.find("Polyline") == std::string::npos);
 }
