@@ -264,7 +264,8 @@ class CouplerChannel::Implementation {
   std::optional<Event> next_message() {
     std::vector<zmq::message_t> frames = receive_frames(socket_);
     if (frames.empty()) return std::nullopt;
-    const PeerNumber number = number_of(frames.front());
+    if (frames.size() < 2) return std::nullopt;
+    const PeerNumber number = number_of(frames[0], frames[1]);
     Peer& peer = peers_.at(number);
     try {
       DecodedMessage decoded = decode_frames(std::span(frames).subspan(1));
@@ -277,12 +278,12 @@ class CouplerChannel::Implementation {
     }
   }
 
-  PeerNumber number_of(zmq::message_t& identity_frame) {
+  PeerNumber number_of(const zmq::message_t& identity_frame, zmq::message_t& content) {
     const std::string identity = identity_frame.to_string();
     for (auto& [number, peer] : peers_)
       if (peer.identity == identity) return number;
     const PeerNumber number = next_peer_++;
-    peers_[number] = {identity, identity_frame.get(ZMQ_SRCFD), 0, {}};
+    peers_[number] = {identity, content.get(ZMQ_SRCFD), 0, {}};
     return number;
   }
 

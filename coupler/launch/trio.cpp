@@ -71,7 +71,9 @@ Message Trio::await(Role role, MessageType expected) {
   const Clock::time_point begin = Clock::now();
   while (!source.answer) {
     handle_next_event(tick);
-    if (!source.answer) check_silence(source, options_.deadlines.progress);
+    // Meshing comes between WELCOME and TOPOLOGY.
+    const bool joining = expected == MessageType::topology;
+    if (!source.answer) check_silence(source, joining ? options_.deadlines.join : options_.deadlines.progress);
   }
   source.waited += since(begin);
   if (source.answer->type != expected)

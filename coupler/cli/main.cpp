@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <string>
+
+#include "common/errors.hpp"
+#include "common/log.hpp"
+#include "coupler/cli/check_command.hpp"
+#include "coupler/cli/run_command.hpp"
+
+namespace {
+
+using fissura::CaseForm;
+using fissura::CaseSource;
+using fissura::ExitCode;
+
+void add_case_options(CLI::App& command, CaseSource& source, bool& short_form) {
+  command.add_option("CASE", source.path, "case folder, or its case.toml")->required();
+  command.add_option("--set", source.overrides, "another value for a key, e.g. mesh.fracture_size=\"0.5 m\"")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_flag("--short", short_form, "the short form of the case (case.toml with short.toml over it)");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App program("Fissura: hydraulic fractures in tight rock. Launches structure and network and couples them.");
+  program.set_version_flag("--version", FISSURA_VERSION);
+  program.require_subcommand(1);
+  fissura::coupler::RunOptions options;
+  options.command_line.assign(argv, argv + argc);
+  bool short_form = false;
+
+  CLI::App* run = program.add_subcommand("run", "runs a case and compares its result with what it must give");
+  add_case_options(*run, options.source, short_form);
+  run->add_option("--out", options.directory, "run directory");
+  run->add_option("--network", options.network_command, "another flow solver; --connect ENDPOINT is appended");
+  run->add_option("--structure", options.structure_command, "another structure; --connect ENDPOINT is appended");
+  run->add_option("--threads", options.threads, "threads of the structure; every core if not given")
+      ->check(CLI::Range(1, 1024));
+  run->add_option("--until", options.until, "an earlier end, e.g. \"2 s\"; without a verdict");
+  run->add_option("--fault", options.fault, "injects a fault: ROLE@INTERVAL=kill|stop|spin|fail|exit|nan");
+  run->add_flag("--json", options.json, "prints the summary as JSON");
+
+  CLI::App* check = program.add_subcommand("check", "every fault of a case, or what follows from it");
+  add_case_options(*check, options.source, short_form);
+
+  try {
+    program.parse(argc, argv);
+    options.source.form = short_form ? CaseForm::short_form : CaseForm::full;
+    if (run->parsed()) return fissura::coupler::run_command(options);
+    return fissura::coupler::check_command(options.source);
+  } catch (const CLI::ParseError& fault) {
+    return program.exit(fault) == 0 ? 0 : static_cast<int>(ExitCode::command_line);
+  } catch (const fissura::Error& fault) {
+    std::fprintf(stderr, "coupler: %s: %s\n", fissura::name(fault.code()), fault.what());
+    return static_cast<int>(fault.code());
+  } catch (const std::exception& fault) {
+    std::fprintf(stderr, "coupler: %s: %s\n", fissura::name(ExitCode::internal), fault.what());
+    return static_cast<int>(ExitCode::internal);
+  }
+}

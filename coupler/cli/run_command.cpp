@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupler/cli/run_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <thread>
+
+#include "common/exchange/fault_point.hpp"
+#include "coupler/cli/run_worker.hpp"
+#include "coupler/launch/supervisor.hpp"
+#include "coupler/record/run_directory.hpp"
+#include "coupler/verdict/verdict.hpp"
+
+namespace fissura::coupler {
+
+namespace {
+
+/// The shell word of the program `name` that stands beside this one.
+std::string sibling(const char* name) {
+  return fmt::format("'{}'", (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string());
+}
+
+std::filesystem::path default_directory(const CaseReading& reading, CaseForm form) {
+  const std::string name = std::filesystem::absolute(reading.folder).lexically_normal().filename().string();
+  return std::filesystem::path("runs") / (form == CaseForm::full ? name : name + "-short");
+}
+
+Expectations expectations_of(const CaseReading& reading, CaseForm form) {
+  const std::filesystem::path file =
+      reading.folder / (form == CaseForm::full ? "expected.toml" : "expected_short.toml");
+  if (!std::filesystem::exists(file)) return {};
+  return read_expectations(file, reading.value.time.end, judgeable_columns());
+}
+
+}  // namespace
+
+PreparedRun prepare_run(const RunOptions& options) {
+  CaseSource source = options.source;
+  if (options.until) source.overrides.push_back("time.end=\"" + *options.until + "\"");
+  if (options.fault) (void)parse_fault_plan(*options.fault);
+  PreparedRun run;
+  run.reading = read_case(source);
+  // A run that is cut short cannot be judged by what it should give at its end.
+  if (!options.until) run.expectations = expectations_of(run.reading, source.form);
+  check_references(run.expectations);
+  run.directory = options.directory.value_or(default_directory(run.reading, source.form));
+  RunDirectory::check(run.directory);
+  run.structure_command = options.structure_command.value_or(sibling("structure"));
+  run.network_command = options.network_command.value_or(sibling("network"));
+  run.threads = options.threads > 0 ? options.threads
+                                    : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  run.json = options.json;
+  run.command_line = options.command_line;
+  return run;
+}
+
+int run_command(const RunOptions& options) {
+  const PreparedRun run = prepare_run(options);
+  for (const Fault& warning : run.reading.warnings) std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
+  if (options.fault) {
+    std::fprintf(stderr, "warning: a fault will be injected: %s\n", options.fault->c_str());
+    ::setenv("FISSURA_FAULT", options.fault->c_str(), 1);
+  }
+  StatusPage status;
+  return supervise(status, run.reading.value.deadlines.progress, [&] { return run_worker(run, status); });
+}
+
+}  // namespace fissura::coupler

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/case/expected.hpp"
+#include "common/case/read_case.hpp"
+
+namespace fissura::coupler {
+
+/// `coupler run`, as typed.
+struct RunOptions {
+  CaseSource source;
+  std::optional<std::filesystem::path> directory;  ///< default: runs/NAME or runs/NAME-short
+  std::optional<std::string> network_command;      ///< default: the network beside this program
+  std::optional<std::string> structure_command;
+  std::optional<std::string> until;                ///< end of the run, e.g. "2 s"
+  std::optional<std::string> fault;                ///< fault plan, see fault_point.hpp
+  int threads = 0;                                 ///< of the structure; 0: every core
+  bool json = false;                               ///< print summary.json instead of the table
+  std::vector<std::string> command_line;
+};
+
+/// A run that has passed every check and may start.
+struct PreparedRun {
+  CaseReading reading;
+  Expectations expectations;
+  std::filesystem::path directory;
+  std::string structure_command, network_command;
+  int threads = 1;
+  bool json = false;
+  std::vector<std::string> command_line;
+};
+
+/// Reads case, expectations and references and looks at the run directory; creates nothing. Throws Error.
+PreparedRun prepare_run(const RunOptions& options);
+
+/// Prepares and runs. @returns the exit code of the program; every failure has been told.
+int run_command(const RunOptions& options);
+
+}  // namespace fissura::coupler

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupler/scheme/exchange.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/errors.hpp"
+#include "common/fracture_network/insertion_json.hpp"
+
+namespace fissura::coupler {
+
+namespace {
+
+struct Range {
+  double minimum = 0, maximum = 0;
+};
+
+constexpr Range flag{0, 1};
+// An aperture of a kilometre is nonsense whatever the case.
+constexpr Range possible_aperture{0, 1e3};
+// Slack for the rounding of a fraction computed as a quotient.
+constexpr double fraction_slack = 1e-9;
+
+std::vector<double> numbers_in(const Message& message, const char* field, const FractureNetwork& network,
+                               const Range& range) {
+  std::vector<double> values = message.numbers(field, network.nodes().size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i] < range.minimum || values[i] > range.maximum) {
+      const NetworkNode& node = network.nodes()[i];
+      throw ValueError(fmt::format("{} of node {} at ({:g}, {:g}) m is {:g}, allowed is [{:g}, {:g}]", field, node.id,
+                                   node.x, node.y, values[i], range.minimum, range.maximum));
+    }
+  return values;
+}
+
+void require_revision(const Message& message, const FractureNetwork& network) {
+  if (message.revision != network.revision())
+    throw ProtocolError(fmt::format("{} is made for topology revision {}, the network has {}", name(message.type),
+                                    message.revision, network.revision()));
+}
+
+template <typename T>
+T entry(const nlohmann::json& object, const char* key) {
+  try {
+    return object.at(key).get<T>();
+  } catch (const nlohmann::json::exception&) {
+    throw ProtocolError(fmt::format("entry {} is missing or of another type", key));
+  }
+}
+
+Ledger read_ledger(const nlohmann::json& object) {
+  Ledger ledger;
+  ledger.injected = entry<double>(object, "injected");
+  ledger.in_place = entry<double>(object, "in_place");
+  ledger.in_fractures = entry<double>(object, "in_fractures");
+  ledger.leaked = entry<double>(object, "leaked");
+  ledger.reset = entry<double>(object, "reset");
+  ledger.residual = ledger.injected + ledger.in_place + ledger.reset - ledger.in_fractures - ledger.leaked;
+  ledger.relative_residual = relative_residual(ledger);
+  return ledger;
+}
+
+}  // namespace
+
+double relative_residual(const Ledger& ledger) {
+  const double largest = std::max({std::abs(ledger.injected), ledger.in_place, ledger.in_fractures, ledger.leaked});
+  return largest > 0 ? std::abs(ledger.residual) / largest : 0;
+}
+
+StructureResponse read_response(const Message& message, const FractureNetwork& network, const PressureRange& range) {
+  if (message.type != MessageType::topology) require_revision(message, network);
+  const Range pressure{range.minimum, range.maximum};
+  StructureResponse response;
+  response.aperture = numbers_in(message, "aperture", network, possible_aperture);
+  response.aperture_rate = message.numbers("aperture_rate", network.nodes().size());
+  response.pressure_applied = numbers_in(message, "pressure_applied", network, pressure);
+  response.pressure_opening = message.numbers("pressure_opening", network.nodes().size());
+  response.closed = numbers_in(message, "closed", network, flag);
+  response.broken = numbers_in(message, "broken", network, flag);
+  response.stable_step = message.value<double>("stable_step");
+  response.mass_scale = message.value<double>("mass_scale");
+  if (!(response.stable_step > 0) || !(response.mass_scale >= 1))
+    throw ValueError(fmt::format("stable step {} s and mass scale {} are impossible", response.stable_step,
+                                 response.mass_scale));
+  if (message.type != MessageType::response) return response;
+  response.steps = message.value<int>("steps");
+  const auto energy = message.value<nlohmann::json>("energy");
+  response.kinetic_energy = entry<double>(energy, "kinetic");
+  response.strain_energy = entry<double>(energy, "strain");
+  if (const auto proposal = message.body.find("insertion"); proposal != message.body.end())
+    response.proposal = insertion_from_json(*proposal);
+  return response;
+}
+
+NetworkAnswer read_pressure(const Message& message, const FractureNetwork& network, const PressureRange& range) {
+  require_revision(message, network);
+  NetworkAnswer answer;
+  answer.pressure = numbers_in(message, "pressure", network, {range.minimum, range.maximum});
+  answer.aperture_predicted = numbers_in(message, "aperture_predicted", network, possible_aperture);
+  answer.filled = numbers_in(message, "filled", network, {0, 1 + fraction_slack});
+  answer.ledger = read_ledger(message.value<nlohmann::json>("ledger"));
+  answer.well_pressure = message.value<double>("well_pressure");
+  answer.rate = message.value<double>("rate");
+  const auto newton = message.value<nlohmann::json>("newton");
+  answer.newton_iterations = entry<int>(newton, "iterations");
+  answer.halvings = entry<int>(newton, "halvings");
+  if (!entry<bool>(newton, "converged")) throw SolverError("the network sent pressures that have not converged");
+  return answer;
+}
+
+}  // namespace fissura::coupler

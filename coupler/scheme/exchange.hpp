@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "common/case/case.hpp"
+#include "common/exchange/message.hpp"
+#include "common/fracture_network/fracture_network.hpp"
+#include "coupler/record/interval_record.hpp"
+
+/// From messages to values, with every check that physics allows. Arrays have one value per node of the network.
+namespace fissura::coupler {
+
+/// RESPONSE, or the same arrays of TOPOLOGY and ACKNOWLEDGE.
+struct StructureResponse {
+  std::vector<double> aperture;          ///< [m]
+  std::vector<double> aperture_rate;     ///< [m/s]
+  std::vector<double> pressure_applied;  ///< [Pa]
+  std::vector<double> pressure_opening;  ///< [Pa]
+  std::vector<double> closed, broken;    ///< 0 or 1
+  double stable_step = 0;                ///< [s]
+  double mass_scale = 1;
+  int steps = 0;                         ///< RESPONSE only, like the rest
+  double kinetic_energy = 0, strain_energy = 0;  ///< [J]
+  std::optional<Insertion> proposal;
+};
+
+/// PRESSURE.
+struct NetworkAnswer {
+  std::vector<double> pressure;            ///< [Pa]
+  std::vector<double> aperture_predicted;  ///< [m]
+  std::vector<double> filled;              ///< [0, 1]
+  Ledger ledger;
+  double well_pressure = 0;  ///< [Pa]
+  double rate = 0;           ///< [m3/s]
+  int newton_iterations = 0;
+  int halvings = 0;
+};
+
+/// Throws ProtocolError for missing or misshaped data, ValueError naming field, node, coordinates and value for what physics
+/// forbids: a negative aperture, a pressure outside the range of the case, a filled fraction outside [0, 1].
+StructureResponse read_response(const Message& message, const FractureNetwork& network, const PressureRange& range);
+NetworkAnswer read_pressure(const Message& message, const FractureNetwork& network, const PressureRange& range);
+
+/// |residual| over the largest volume in the book.
+double relative_residual(const Ledger& ledger);
+
+}  // namespace fissura::coupler
