@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ namespace {
 constexpr double same_place = 1e-6;
 
 std::string text(const Point& point) {
-  return fmt::format("({}, {}) m", point[0], point[1]);
+  return fmt::format("({:.6g}, {:.6g}) m", point[0], point[1]);
 }
 
 double distance(const Point& a, const Point& b) {
@@ -100,7 +101,7 @@ class GeometryCheck {
     }
     const double length = length_of(fracture);
     if (!fracture.points.empty() && length < case_.mesh.fracture_size)
-      refuse(key, fmt::format("a line of {} m", length),
+      refuse(key, fmt::format("a line of {:.6g} m", length),
              fmt::format("at least one element, mesh.fracture_size = {} m", case_.mesh.fracture_size));
   }
 
@@ -125,26 +126,15 @@ class GeometryCheck {
 
   void perforations() const {
     for (std::size_t i = 0; i < case_.injection.perforations.size(); ++i) {
-      const Perforation& perforation = case_.injection.perforations[i];
-      double nearest = std::numeric_limits<double>::infinity();
-      std::string name;
-      for (const FractureLine& line : case_.fractures) {
-        if (line.kind != FractureKind::open) continue;
-        for (std::size_t j = 1; j < line.points.size(); ++j) {
-          const double gap = distance_to_segment(line.points[j - 1], line.points[j], perforation.position);
-          if (gap < nearest) name = line.name;
-          nearest = std::min(nearest, gap);
-        }
-      }
+      const Point& position = case_.injection.perforations[i].position;
       const std::string key = fmt::format("injection.perforation[{}].position", i);
-      if (name.empty() && !case_.fractures.empty() && !std::isnan(perforation.position[0])) {
-        if (nothing_open())
-          refuse(key, text(perforation.position), "a point on an open fracture; the case has none");
-      } else if (nearest > tolerance_) {
-        refuse(
-            key, text(perforation.position),
-            fmt::format("a point on an open fracture; the nearest, \"{}\", is {:.3g} m away", name, nearest));
-      }
+      const std::optional<Neighbour> nearest = nearest_open(position);
+      if (!nearest && !case_.fractures.empty())
+        refuse(key, text(position), "a point on an open fracture; the case has none");
+      if (nearest && nearest->distance > tolerance_)
+        refuse(key, text(position),
+               fmt::format("a point on an open fracture; the nearest, \"{}\", is {:.6g} m away",
+                           nearest->name, nearest->distance));
     }
   }
 
@@ -152,9 +142,23 @@ class GeometryCheck {
   static double west(const Segment& segment) { return std::min(segment.a[0], segment.b[0]); }
   static double east(const Segment& segment) { return std::max(segment.a[0], segment.b[0]); }
 
-  [[nodiscard]] bool nothing_open() const {
-    return std::none_of(case_.fractures.begin(), case_.fractures.end(),
-                        [](const FractureLine& line) { return line.kind == FractureKind::open; });
+  struct Neighbour {
+    std::string name;
+    double distance;
+  };
+
+  /// The nearest open line; at distance not-a-number if that cannot be told.
+  [[nodiscard]] std::optional<Neighbour> nearest_open(const Point& position) const {
+    std::optional<Neighbour> nearest;
+    for (const FractureLine& line : case_.fractures) {
+      if (line.kind != FractureKind::open) continue;
+      if (!nearest) nearest = Neighbour{line.name, std::numeric_limits<double>::quiet_NaN()};
+      for (std::size_t j = 1; j < line.points.size(); ++j) {
+        const double distance = distance_to_segment(line.points[j - 1], line.points[j], position);
+        if (!(nearest->distance <= distance)) *nearest = {line.name, distance};
+      }
+    }
+    return nearest;
   }
 
   [[nodiscard]] std::string key_of_points(std::size_t index) const {

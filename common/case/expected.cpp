@@ -141,7 +141,6 @@ Expectations read_expectations(const std::filesystem::path& file, double end_tim
   Expectations expectations;
   for (TableReader& table : document.tables("quantity"))
     expectations.quantities.push_back(read_quantity(table, run));
-  if (!document.has("quantity")) document.refuse("quantity", "at least one table [[quantity]]");
   document.refuse_unknown_keys();
   if (!faults.empty()) throw CaseFaults(faults);
   return expectations;

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t largest_file = 64 * 1024 * 1024;
+constexpr std::size_t most_points = 10000, most_bytes = 100 * most_points;
 
 std::optional<double> number_at(std::string_view text, std::size_t& place) {
   while (place < text.size() && (text[place] == ' ' || text[place] == '\t')) ++place;
@@ -54,8 +54,8 @@ fs::path inside(const fs::path& folder, const std::string& name) {
 
 std::vector<Point> read_polyline(const fs::path& file) {
   std::error_code trouble;
-  if (fs::file_size(file, trouble) > largest_file)
-    throw InputError(fmt::format("a file of at most {} bytes", largest_file));
+  if (fs::file_size(file, trouble) > most_bytes)
+    throw InputError(fmt::format("a file of at most {} bytes", most_bytes));
   std::ifstream stream(file);
   if (!stream) throw InputError(fmt::format("a readable file; {} cannot be opened", file.string()));
   std::vector<Point> points;
@@ -67,6 +67,8 @@ std::vector<Point> read_polyline(const fs::path& file) {
       throw InputError(fmt::format("x,y in metres on every line; {}:{} has \"{}\"", file.string(), number,
                                    line.substr(0, 80)));
     points.push_back(*point);
+    if (points.size() > most_points)
+      throw InputError(fmt::format("at most {} points; {} has more", most_points, file.string()));
   }
   if (points.size() < 2)
     throw InputError(fmt::format("at least two points; {} has {}", file.string(), points.size()));

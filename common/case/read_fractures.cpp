@@ -88,8 +88,6 @@ std::vector<FractureLine> read_fractures(TableReader& document, const Rock& rock
     if (!lines.back().name.empty() && std::any_of(lines.begin(), lines.end() - 1, same_name))
       table.refuse("name", "a name that no other fracture has");
   }
-  if (lines.empty() && !document.has("fracture"))
-    document.refuse("fracture", "at least one table [[fracture]]");
   return lines;
 }
 

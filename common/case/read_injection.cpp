@@ -86,7 +86,6 @@ std::vector<Fluid> read_fluids(TableReader& document) {
     if (!fluids.back().name.empty() && std::any_of(fluids.begin(), fluids.end() - 1, same_name))
       table.refuse("name", "a name that no other fluid has");
   }
-  if (fluids.empty() && !document.has("fluid")) document.refuse("fluid", "at least one table [[fluid]]");
   return fluids;
 }
 
@@ -109,8 +108,6 @@ Injection read_injection(TableReader& document) {
   for (TableReader& perforation : table.tables("perforation"))
     injection.perforations.push_back(read_perforation(perforation));
   for (TableReader& stage : table.tables("stage")) injection.stages.push_back(read_stage(stage));
-  if (!table.has("perforation")) table.refuse("perforation", "at least one table [[injection.perforation]]");
-  if (!table.has("stage")) table.refuse("stage", "at least one table [[injection.stage]]");
   table.refuse_unknown_keys();
   return injection;
 }

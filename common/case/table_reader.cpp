@@ -212,22 +212,21 @@ TableReader TableReader::optional_table(std::string_view key) {
 }
 
 std::vector<TableReader> TableReader::tables(std::string_view key) {
+  const std::string expected = fmt::format("at least one table [[{}]]", path_of(key));
   std::vector<TableReader> result;
-  const SourceValue* value = find(key);
+  const SourceValue* value = require(key, expected);
   if (value == nullptr) return result;
   const auto* array = std::get_if<SourceArray>(&value->content);
-  if (array == nullptr) {
-    report(*value, path_of(key), fmt::format("an array of tables, each begun by [[{}]]", path_of(key)), "");
+  if (array == nullptr || array->elements.empty()) {
+    report(*value, path_of(key), expected, "");
     return result;
   }
-  for (std::size_t i = 0; i < array->elements.size(); ++i) {
-    const SourceValue& element = array->elements[i];
-    const std::string path = fmt::format("{}[{}]", path_of(key), i);
-    if (std::holds_alternative<SourceTable>(element.content)) {
-      result.emplace_back(element, path, *faults_);
-    } else {
-      report(element, path, "a table", "");
-    }
+  for (const SourceValue& element : array->elements) {
+    const std::string path = fmt::format("{}[{}]", path_of(key), result.size());
+    const bool is_table = std::holds_alternative<SourceTable>(element.content);
+    if (!is_table) report(element, path, "a table", "");
+    result.push_back(is_table ? TableReader(element, path, *faults_)
+                              : TableReader(empty_table, path, *faults_, Missing::ignored));
   }
   return result;
 }

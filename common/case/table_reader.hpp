@@ -78,7 +78,7 @@ class TableReader {
   TableReader table(std::string_view key);
   /// The table under the key, or an empty one.
   TableReader optional_table(std::string_view key);
-  /// The tables of an array of tables, none if the key is missing.
+  /// The tables of an array of tables, which must have at least one.
   std::vector<TableReader> tables(std::string_view key);
 
   /// Reports the value under the key as wrong (as missing, if it is). `expected` stands behind "expected".

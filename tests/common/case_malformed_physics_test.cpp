@@ -153,7 +153,7 @@ TEST_CASE("malformed case 31: a fracture outside the domain, across its border, 
                 "m");
   SECTION("too short for an element")
   check_refused(wing, "@[[\"1 m\", \"0 m\"], [\"1.1 m\", \"0 m\"]]",
-                "fracture[1].points: found a line of 0.10000000000000009 m, expected at least one element, "
+                "fracture[1].points: found a line of 0.1 m, expected at least one element, "
                 "mesh.fracture_size = 0.25 m");
   SECTION("a single point")
   check_refused(
@@ -173,6 +173,14 @@ TEST_CASE("malformed case 33: a perforation that is on no open fracture", "[comm
       "position = [\"0 m\", \"0 m\"]", "position = @[\"5 m\", \"0 m\"]",
       "injection.perforation[0].position: found (5, 0) m, expected a point on an open fracture; the nearest, "
       "\"slit\", is 4 m away");
+}
+
+TEST_CASE("malformed case 33: a case without an open fracture has nowhere to inject",
+          "[common][case][malformed]") {
+  CHECK(
+      faults_of(replaced(valid_case, "kind = \"open\"", "kind = \"intact\"")) ==
+      Lines{"case.toml:53:12: injection.perforation[0].position: found (0, 0) m, expected a point on an open "
+            "fracture; the case has none"});
 }
 
 TEST_CASE("malformed case 34: an in-situ state that could not have been there before the run",

@@ -28,6 +28,15 @@ TEST_CASE("malformed case 11: a missing table is one fault, not one for each of 
         Lines{"case.toml:1:1: rock: found nothing, expected a table [rock]"});
 }
 
+TEST_CASE("malformed case 11: an empty list where at least one table belongs", "[common][case][malformed]") {
+  const std::size_t fluid = valid_case.find("[[fluid]]"), leak_off = valid_case.find("[leak_off]");
+  const std::string without_fluids = std::string(valid_case).erase(fluid, leak_off - fluid);
+  CHECK(faults_of(without_fluids) ==
+        Lines{"case.toml:1:1: fluid: found nothing, expected at least one table [[fluid]]"});
+  CHECK(faults_of("fluid = []\n" + without_fluids) ==
+        Lines{"case.toml:1:9: fluid: found an array, expected at least one table [[fluid]]"});
+}
+
 TEST_CASE("malformed case 12: a value of the wrong type", "[common][case][malformed]") {
   SECTION("an array where text belongs")
   check_refused("end = \"10 s\"", "end = @[10]",

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fstream>
+#include <iterator>
+
+#include "common/case/expected.hpp"
+#include "tests/common/case_fixture.hpp"
+
+using namespace fissura;
+using namespace fissura::test;
+
+namespace {
+
+std::string manual() {
+  std::ifstream stream(FISSURA_SOURCE_DIR "/docs/case_format.md");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The keys of a table, from what is said when it has one that nobody knows.
+std::vector<std::string> keys_in(const std::string& fault) {
+  const std::string lead = "expected one of ";
+  REQUIRE_THAT(fault, Catch::Contains("found an unknown key") && Catch::Contains(lead));
+  const std::size_t begin = fault.find(lead) + lead.size();
+  std::string names = fault.substr(begin, fault.find(';', begin) - begin);
+  std::vector<std::string> keys;
+  for (std::size_t comma = names.find(", "); comma != std::string::npos; comma = names.find(", ")) {
+    keys.push_back(names.substr(0, comma));
+    names.erase(0, comma + 2);
+  }
+  keys.push_back(names);
+  return keys;
+}
+
+}  // namespace
+
+TEST_CASE("every key of every table stands in docs/case_format.md", "[common][case]") {
+  const std::string text = manual();
+  REQUIRE_FALSE(text.empty());
+  const std::string table =
+      GENERATE("", "time.", "domain.", "mesh.", "rock.", "in_situ.", "in_situ.gradient.", "boundary.",
+               "fracture[0].", "fracture[1].", "fluid[0].", "leak_off.", "injection.",
+               "injection.perforation[0].", "injection.stage[0].", "coupling.", "dynamics.", "network.",
+               "output.", "deadlines.", "pressure_range.", "exchange.", "participants.", "checkpoint.");
+  const Folder folder;
+  folder.write("case.toml", valid_case + "[checkpoint]\ninterval = \"1 s\"\n");
+  const std::vector<std::string> faults = faults_in(folder, {table + "qqq=1"});
+  REQUIRE(faults.size() == 1);
+  for (const std::string& key : keys_in(faults.front())) {
+    bool documented = false;
+    for (const char* const form : {"`{}`", "`.{}`", "[{}]", ".{}]"})
+      documented = documented || text.find(fmt::format(fmt::runtime(form), key)) != std::string::npos;
+    INFO("key " << key << " of table " << table);
+    CHECK(documented);
+  }
+}
+
+TEST_CASE("every measure stands in docs/case_format.md", "[common][case][expected]") {
+  const std::string text = manual();
+  for (const Measure measure : {Measure::mean_relative_error, Measure::value_at, Measure::mean,
+                                Measure::maximum, Measure::minimum, Measure::time_when_below})
+    CHECK_THAT(text, Catch::Contains("`" + std::string(name(measure)) + "`"));
+}
