@@ -19,13 +19,17 @@ std::array<double, 2> sum_slots(const NodeSlots& nodes, std::size_t i,
   return sum;
 }
 
+double reached_fraction(const PrescribedNode& prescribed, double time) {
+  return time < prescribed.ramp ? std::max(time, 0.0) / prescribed.ramp : 1;
+}
+
 void prescribe(const PrescribedNode& prescribed, const Step& step, State& state) {
-  const double fraction = step.end < prescribed.ramp ? step.end / prescribed.ramp : 1;
+  const double now = reached_fraction(prescribed, step.end);
+  const double before = reached_fraction(prescribed, step.end - step.size);
   for (int axis = 0; axis < 2; ++axis) {
     const std::size_t dof = 2 * std::size_t{prescribed.node} + axis;
-    const double reached = fraction * prescribed.displacement[axis];
-    state.velocity[dof] = (reached - state.displacement[dof]) / step.size;
-    state.displacement[dof] = reached;
+    state.velocity[dof] = (now - before) * prescribed.displacement[axis] / step.size;
+    state.displacement[dof] = now * prescribed.displacement[axis];
   }
 }
 
@@ -68,10 +72,13 @@ void CentralDifference::advance(State& state, const Step& step) {
     for (std::size_t t = 0; t < tiles_.tile.size(); ++t) advance_tile(t, state, step, workspace);
 #pragma omp for schedule(static) nowait
     for (std::size_t i = 0; i < tiles_.shared.node.size(); ++i) advance_shared_node(i, state, step);
-#pragma omp for schedule(static)
+#pragma omp for schedule(static) nowait
     for (std::size_t i = 0; i < tiles_.joint.node.size(); ++i) gather_joint_force(i);
-#pragma omp for schedule(static)
-    for (std::size_t i = 0; i < body_.prescribed.size(); ++i) prescribe(body_.prescribed[i], step, state);
+    if (!body_.prescribed.empty()) {
+#pragma omp barrier
+#pragma omp for schedule(static) nowait
+      for (std::size_t i = 0; i < body_.prescribed.size(); ++i) prescribe(body_.prescribed[i], step, state);
+    }
   }
 }
 

@@ -13,7 +13,7 @@ Case shale_case() {
 
 Case stressed_shale_case() {
   Case settings = shale_case();
-  settings.in_situ.stress = {-12.06588e6, -12.93412e6, -2.46202e6, -20e6};
+  settings.in_situ.stress = {-12.065876e6, -12.934124e6, -2.462019e6, -20e6};
   settings.in_situ.pore_pressure = 30e6;
   return settings;
 }
