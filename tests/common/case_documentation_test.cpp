@@ -57,5 +57,5 @@ TEST_CASE("every measure stands in docs/case_format.md", "[common][case][expecte
   const std::string text = manual();
   for (const Measure measure : {Measure::mean_relative_error, Measure::value_at, Measure::mean,
                                 Measure::maximum, Measure::minimum, Measure::time_when_below})
-    CHECK_THAT(text, Catch::Contains("`" + std::string(name(measure)) + "`"));
+    CHECK_THAT(text, Catch::Contains(fmt::format("`{}`", name(measure))));
 }
