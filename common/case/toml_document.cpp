@@ -14,7 +14,7 @@ namespace fissura::input {
 namespace {
 
 constexpr std::uintmax_t largest_file = 1024 * 1024;
-// Deeper keys than these cannot be written in a line, so the recursion below and in toml++ stays shallow.
+// A line bounds the depth of a dotted key, and so the recursion below and in toml++.
 constexpr std::size_t longest_line = 12000;
 constexpr int deepest_nesting = 32;
 
