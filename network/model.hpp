@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/case/case.hpp"
+#include "network/laws/carter_leak_off.hpp"
+#include "network/laws/power_law_fluid.hpp"
+#include "network/schedule.hpp"
+
+namespace fissura::network {
+
+struct FractureFluid {
+  std::string name;
+  PowerLaw law;
+  double bulk_modulus = 0;  ///< K_f [Pa]
+};
+
+/// What never changes during a run. Volumes and rates are per unit thickness unless said otherwise.
+struct Model {
+  std::vector<FractureFluid> fluids;  ///< at least one
+  CarterLaw leak_off;
+  Schedule schedule;
+  double well_index = 0;        ///< WI of one perforation [m2/(s Pa)]
+  double thickness = 0;         ///< H [m]
+  double minimum_aperture = 0;  ///< floor in the conductivity only [m]
+  double tolerance = 0;         ///< of the Newton residual, relative to the content moved [-]
+  int maximum_iterations = 0;
+
+  [[nodiscard]] bool single_fluid() const { return fluids.size() == 1; }
+  [[nodiscard]] bool newtonian() const;
+};
+
+/// Throws InputError if there is no fluid, a stage names an unknown one, or a number is outside its physical
+/// range.
+Model model_from_case(const Case& value);
+
+}  // namespace fissura::network

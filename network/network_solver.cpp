@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "network/network_solver.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "common/case/case_json.hpp"
+#include "network/checkpoint.hpp"
+#include "network/content_ledger.hpp"
+#include "network/transfer.hpp"
+
+namespace fissura::network {
+
+namespace {
+
+Carry carry_named(const std::string& word) {
+  if (word == "content") return Carry::content;
+  if (word == "pressure") return Carry::pressure;
+  throw ProtocolError(fmt::format("carry is \"{}\", expected \"content\" or \"pressure\"", word));
+}
+
+void require_not_negative(const std::vector<double>& values, const char* name, const Graph& graph) {
+  const auto found = std::find_if(values.begin(), values.end(), [](double value) { return value < 0; });
+  if (found == values.end()) return;
+  const auto node = static_cast<std::size_t>(found - values.begin());
+  throw ValueError(fmt::format("{} of node {} is {}, expected at least 0", name,
+                               graph.network().nodes()[node].id, *found));
+}
+
+nlohmann::json ledger_to_json(const LedgerReport& ledger) {
+  return {{"injected", ledger.injected}, {"in_place", ledger.in_place}, {"in_fractures", ledger.in_fractures},
+          {"leaked", ledger.leaked},     {"reset", ledger.reset},       {"residual", ledger.residual}};
+}
+
+}  // namespace
+
+NetworkSolver::NetworkSolver() {
+  workspace_.each_iteration = [] { note_progress("newton"); };
+}
+
+void NetworkSolver::join(const Assignment& assignment) {
+  model_ = model_from_case(case_from_json(assignment.run_case));
+}
+
+std::string NetworkSolver::insert(const Insertion& insertion) {
+  insert_and_transfer(model_, insertion, graph_, state_);
+  history_.push_back(insertion);
+  workspace_.linear.set_pattern(graph_.pattern());
+  return graph_.network().topology_hash();
+}
+
+Message NetworkSolver::advance(const Message& command) {
+  const auto start = std::chrono::steady_clock::now();
+  read_interval(command);
+  const AdvanceReport report = network::advance(model_, graph_, interval_, state_, workspace_);
+  Message answer = pressure_message(report);
+  figures_.intervals += 1;
+  figures_.steps += report.steps;
+  figures_.iterations += report.newton.iterations;
+  figures_.halvings += report.halvings;
+  figures_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return answer;
+}
+
+void NetworkSolver::read_interval(const Message& command) {
+  const std::size_t count = graph_.node_count();
+  interval_.begin = command.value<double>("begin");
+  interval_.end = command.value<double>("end");
+  if (!(interval_.end > interval_.begin))
+    throw ProtocolError(
+        fmt::format("the interval from {} s to {} s has no length", interval_.begin, interval_.end));
+  if (state_.started && interval_.begin != state_.time)
+    throw ProtocolError(fmt::format("the interval begins at {} s, expected the end of the last one, {} s",
+                                    interval_.begin, state_.time));
+  interval_.carry = carry_named(command.value<std::string>("carry"));
+  interval_.aperture = command.numbers("aperture", count);
+  interval_.aperture_rate = command.numbers("aperture_rate", count);
+  interval_.reference_pressure = command.numbers("reference_pressure", count);
+  interval_.compliance = command.numbers("compliance", count);
+  require_not_negative(interval_.aperture, "aperture", graph_);
+  require_not_negative(interval_.compliance, "compliance", graph_);
+  const std::vector<double> closed = command.numbers("closed", count);
+  interval_.faces.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+    interval_.faces[i] = closed[i] != 0 ? Faces::in_contact : Faces::separated;
+}
+
+Message NetworkSolver::pressure_message(const AdvanceReport& report) const {
+  std::vector<double> predicted(graph_.node_count());
+  for (std::size_t i = 0; i < predicted.size(); ++i)
+    predicted[i] = hydraulic_aperture(workspace_.step.storage[i], state_.pressure[i]);
+  Message answer(MessageType::pressure);
+  answer.body["ledger"] = ledger_to_json(ledger_report(model_, graph_, state_));
+  answer.body["well_pressure"] = state_.well_pressure;
+  answer.body["rate"] = state_.rate * model_.thickness;
+  answer.body["newton"] = {{"converged", report.newton.converged},
+                           {"iterations", report.newton.iterations},
+                           {"residual", report.newton.residual},
+                           {"halvings", report.halvings}};
+  answer.add("pressure", "Pa", state_.pressure);
+  answer.add("aperture_predicted", "m", predicted);
+  answer.add("filled", "1", state_.filled);
+  return answer;
+}
+
+Message NetworkSolver::report(const Message&) {
+  const std::size_t count = graph_.node_count();
+  std::vector<double> aperture = interval_.aperture;
+  aperture.resize(count, 0.0);
+  // Rounding may leave a dry node a hair below zero in the book; a picture shows it dry.
+  std::vector<double> content = state_.content;
+  for (double& value : content) value = std::max(value, 0.0);
+  Message fields(MessageType::fields);
+  fields.body["geometry"] = graph_.network().revision();
+  fields.add("pressure", "Pa", state_.pressure);
+  fields.add("aperture", "m", aperture);
+  fields.add("filled", "1", state_.filled);
+  fields.add("content", "m", content);
+  fields.add("leaked", "m", state_.leaked);
+  fields.add("flux", "m2/s", state_.flux);
+  fields.add("fluid_fraction", "1", state_.fluid_fraction, count, model_.fluids.size());
+  return fields;
+}
+
+std::vector<std::byte> NetworkSolver::save() {
+  return checkpoint_to_bytes({history_, state_});
+}
+
+void NetworkSolver::restore(const std::vector<std::byte>& bytes) {
+  Checkpoint checkpoint = checkpoint_from_bytes(bytes);
+  Graph graph;
+  for (const Insertion& insertion : checkpoint.history) graph.insert(insertion);
+  if (checkpoint.state.content.size() != graph.node_count() ||
+      checkpoint.state.flux.size() != graph.segment_count())
+    throw Error(ExitCode::checkpoint_unusable, "the network's checkpoint has arrays of another topology");
+  graph_ = std::move(graph);
+  state_ = std::move(checkpoint.state);
+  history_ = std::move(checkpoint.history);
+  workspace_.linear.set_pattern(graph_.pattern());
+}
+
+nlohmann::json NetworkSolver::finish() {
+  return {{"seconds", figures_.seconds},   {"intervals", figures_.intervals},
+          {"steps", figures_.steps},       {"newton_iterations", figures_.iterations},
+          {"halvings", figures_.halvings}, {"factorisations", workspace_.linear.factorisations()}};
+}
+
+}  // namespace fissura::network

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "network/graph.hpp"
+#include "network/laws/fluid_content.hpp"
+#include "network/model.hpp"
+#include "network/state.hpp"
+
+namespace fissura::network {
+
+/// What is carried from one coupling interval to the next: the fluid content, or the pressure (Profit et al.
+/// 2016).
+enum class Carry { content, pressure };
+
+/// One coupling interval as the coupler poses it; arrays in the order of the nodes.
+struct Interval {
+  double begin = 0, end = 0;  ///< [s]
+  Carry carry = Carry::content;
+  std::vector<double> aperture;            ///< of the structure at `begin` [m], >= 0
+  std::vector<double> aperture_rate;       ///< [m/s]; zero with carry = content
+  std::vector<double> reference_pressure;  ///< [Pa]
+  std::vector<double> compliance;          ///< [m/Pa], >= 0
+  std::vector<Faces> faces;
+};
+
+struct WellTarget {
+  WellControl control = WellControl::rate;
+  double value = 0;  ///< rate of all perforations, mean of the step [m2/s], or well pressure at its end [Pa]
+};
+
+/// Everything that stands still while one backward Euler step (begin, end] is solved.
+struct Step {
+  double begin = 0, end = 0;             ///< [s]
+  std::vector<ContentLaw> storage;       ///< per node
+  std::vector<double> demand;            ///< Lambda, per node [m]
+  std::vector<double> segment_aperture;  ///< per segment [m]
+  std::vector<double> transmissibility;  ///< T, per segment [m2/(s Pa)]
+  WellTarget well;
+
+  [[nodiscard]] double duration() const { return end - begin; }
+};
+
+/// K_f of the mixture at a node [Pa].
+double bulk_modulus(const Model& model, const State& state, std::size_t node);
+
+/// Fills `step` for (state.time, end].
+///   Lambda_i = max(0, V_C,i(end) - v_i)          cumulative: what a node could not give before is still
+///   asked for
+void prepare_step(const Model& model, const Graph& graph, const Interval& interval, const State& state,
+                  double end, Step& step);
+
+/// Sets the transmissibilities from the gradients [Pa/m] and fluxes [m2/s] of a solution, both per segment.
+/// Of the power law they are secants, so that the flow is linear in the pressures; see secant_viscosity.
+void set_transmissibility(const Model& model, const Graph& graph, const State& state,
+                          std::span<const double> gradient, std::span<const double> flux, Step& step);
+
+}  // namespace fissura::network

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "network/network_solver.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "common/case/case_json.hpp"
+#include "common/errors.hpp"
+#include "tests/network/flow_setup.hpp"
+
+using namespace fissura;
+using namespace fissura::network;
+
+namespace {
+
+Case water_case() {
+  Case value;
+  value.time.end = 10;
+  value.domain = {100, 100, 2};
+  value.fluids = {{"water", 1.67e-3, 1, 2e9}, {"gel", 0.5, 0.5, 2e9}};
+  value.leak_off = {1e-5, 0};
+  value.injection.well_index = 1e-5;
+  value.injection.stages = {{.begin = 0, .rate = 2e-3, .fluid = "water"},
+                            {.begin = 0.15, .rate = 2e-3, .fluid = "gel"}};
+  value.network = {1e-5, 1e-10, 100};
+  return value;
+}
+
+Message advance_command(std::size_t nodes, double begin, double end) {
+  Message command(MessageType::advance);
+  command.body = {{"begin", begin}, {"end", end}, {"carry", "content"}};
+  std::vector<double> aperture(nodes), zero(nodes, 0.0), compliance(nodes, 1e-10), reference(nodes, 5e6);
+  for (std::size_t i = 0; i < nodes; ++i)
+    aperture[i] = begin == 0 && i != 2 ? 0 : 1e-4 * (1 + begin) * static_cast<double>(1 + (i * 7) % 5);
+  command.add("aperture", "m", aperture);
+  command.add("aperture_rate", "m/s", zero);
+  command.add("reference_pressure", "Pa", reference);
+  command.add("compliance", "m/Pa", compliance);
+  command.add("closed", "1", zero);
+  return command;
+}
+
+Insertion growth(std::uint64_t revision, std::uint64_t id, double time) {
+  Insertion insertion;
+  insertion.revision = revision;
+  insertion.new_nodes.push_back({.id = id,
+                                 .x = 0.1 * static_cast<double>(id),
+                                 .lumped_length = 0.3,
+                                 .role = NodeRole::tip,
+                                 .exposure_time = time});
+  insertion.new_segments.push_back({.id = id, .node_a = id - 1, .node_b = id, .length = 0.5});
+  insertion.parents.push_back({id, id - 1});
+  return insertion;
+}
+
+void join(NetworkSolver& solver) {
+  solver.join({case_to_json(water_case()), 1});
+  (void)solver.insert(test::straight_fracture(5, 0.5, {2}));
+}
+
+void require_same_bits(const Message& a, const Message& b) {
+  CHECK(a.body == b.body);
+  REQUIRE(a.arrays.size() == b.arrays.size());
+  for (std::size_t k = 0; k < a.arrays.size(); ++k) {
+    CAPTURE(a.arrays[k].name);
+    CHECK(a.arrays[k].bytes == b.arrays[k].bytes);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("network solver: the ledger is in cubic metres of the whole thickness", "[network][solver]") {
+  NetworkSolver solver;
+  join(solver);
+  const Message answer = solver.advance(advance_command(5, 0, 0.1));
+  CHECK(answer.type == MessageType::pressure);
+  const nlohmann::json& ledger = answer.body["ledger"];
+  CHECK(ledger["injected"].get<double>() == Approx(2e-3 * 0.1).epsilon(1e-14));
+  // Node 2 alone has an aperture at the start: 5e-4 m over 0.5 m and 2 m of thickness.
+  CHECK(ledger["in_place"].get<double>() == Approx(1e-4 * (1 + 14 % 5) * 0.5 * 2).epsilon(1e-14));
+  CHECK(std::abs(ledger["residual"].get<double>()) <= 1e-18);
+  CHECK(answer.body["rate"].get<double>() == Approx(2e-3).epsilon(1e-15));
+  CHECK(answer.body["newton"]["converged"] == true);
+  CHECK(answer.numbers("pressure", 5).size() == 5);
+  CHECK(answer.numbers("aperture_predicted", 5)[2] > 0);
+  CHECK(answer.numbers("filled", 5)[2] == 1);
+}
+
+TEST_CASE("network solver: a restored state goes on bit for bit", "[network][solver]") {
+  NetworkSolver straight, resumed;
+  join(straight);
+  std::size_t nodes = 5;
+  double time = 0;
+  const auto next = [&](NetworkSolver& solver) {
+    return solver.advance(advance_command(nodes, time, time + 0.01));
+  };
+  for (int k = 0; k < 25; ++k) {
+    (void)next(straight);
+    time = time + 0.01;
+    if (k % 10 == 4) {
+      const std::string hash = straight.insert(growth(nodes - 4, nodes + 1, time));
+      CHECK_FALSE(hash.empty());
+      ++nodes;
+    }
+  }
+  resumed.join({case_to_json(water_case()), 1});
+  resumed.restore(straight.save());
+  CHECK(resumed.save() == straight.save());
+  for (int k = 0; k < 25; ++k) {
+    require_same_bits(next(straight), next(resumed));
+    time = time + 0.01;
+    if (k % 10 == 4) {
+      const Insertion insertion = growth(nodes - 4, nodes + 1, time);
+      CHECK(straight.insert(insertion) == resumed.insert(insertion));
+      ++nodes;
+    }
+  }
+  require_same_bits(straight.report(Message(MessageType::report)),
+                    resumed.report(Message(MessageType::report)));
+  CHECK(resumed.save() == straight.save());
+}
+
+TEST_CASE("network solver: a damaged or foreign checkpoint is refused", "[network][solver]") {
+  NetworkSolver solver;
+  join(solver);
+  std::vector<std::byte> bytes = solver.save();
+  bytes.resize(bytes.size() / 2);
+  try {
+    solver.restore(bytes);
+    FAIL("half a checkpoint was accepted");
+  } catch (const Error& refusal) {
+    CHECK(refusal.code() == ExitCode::checkpoint_unusable);
+  }
+}
+
+TEST_CASE("network solver: fields give fluxes per segment and fractions per fluid", "[network][solver]") {
+  NetworkSolver solver;
+  join(solver);
+  (void)solver.advance(advance_command(5, 0, 0.1));
+  (void)solver.advance(advance_command(5, 0.1, 0.2));
+  const Message fields = solver.report(Message(MessageType::report));
+  CHECK(fields.numbers("flux", 4)[0] < 0);
+  CHECK(fields.numbers("flux", 4)[3] > 0);
+  const std::vector<double> fraction = fields.numbers("fluid_fraction", 10);
+  CHECK(fraction[2 * 2 + 1] > 0);
+  CHECK(fraction[2 * 2] + fraction[2 * 2 + 1] == Approx(1).epsilon(1e-14));
+  CHECK(fields.numbers("leaked", 5)[2] > 0);
+}
+
+TEST_CASE("network solver: arrays that do not fit, gaps in time and negative apertures are refused",
+          "[network][solver]") {
+  NetworkSolver solver;
+  join(solver);
+  CHECK_THROWS_AS(solver.advance(advance_command(4, 0, 0.1)), ProtocolError);
+  CHECK_THROWS_AS(solver.advance(advance_command(5, 0.1, 0.1)), ProtocolError);
+  (void)solver.advance(advance_command(5, 0, 0.1));
+  CHECK_THROWS_AS(solver.advance(advance_command(5, 0.2, 0.3)), ProtocolError);
+  Message negative = advance_command(5, 0.1, 0.2);
+  negative.arrays.erase(negative.arrays.begin());
+  negative.add("aperture", "m", std::vector<double>{0, 0, -1e-6, 0, 0});
+  CHECK_THROWS_AS(solver.advance(negative), ValueError);
+}
+
+TEST_CASE("network solver: a case without fluid or with an unknown one is refused", "[network][solver]") {
+  NetworkSolver solver;
+  Case value = water_case();
+  value.injection.stages.back().fluid = "honey";
+  CHECK_THROWS_WITH(solver.join({case_to_json(value), 1}), Catch::Contains("honey"));
+  value.fluids.clear();
+  CHECK_THROWS_AS(solver.join({case_to_json(value), 1}), InputError);
+}
+
+TEST_CASE("network solver: figures count the work", "[network][solver]") {
+  NetworkSolver solver;
+  join(solver);
+  (void)solver.advance(advance_command(5, 0, 0.1));
+  const nlohmann::json figures = solver.finish();
+  CHECK(figures["intervals"] == 1);
+  CHECK(figures["newton_iterations"].get<long>() > 0);
+  CHECK(figures["factorisations"] == figures["newton_iterations"]);
+}
