@@ -82,7 +82,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Perforation, name, position, aperture)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Stage, begin, control, rate, pressure, ramp, fluid)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Injection, perforations, stages, well_index)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Coupling, scheme, minimum_steps, maximum_steps, front_fraction,
-                                   drift_tolerance, maximum_interval, fracture_normal_stiffness)
+                                   drift_tolerance, compliance_factor, maximum_interval, fracture_normal_stiffness)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Dynamics, damping, safety_factor, loading_ratio, event_loading_ratio,
                                    initial_mass_scale, maximum_mass_scale)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NetworkControls, minimum_aperture, tolerance, maximum_iterations)

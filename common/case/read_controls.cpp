@@ -20,6 +20,7 @@ Coupling read_coupling(TableReader& document) {
   coupling.maximum_steps = table.count("maximum_steps", at_least(1), coupling.maximum_steps);
   coupling.front_fraction = table.number("front_fraction", positive, coupling.front_fraction);
   coupling.drift_tolerance = table.number("drift_tolerance", positive, coupling.drift_tolerance);
+  coupling.compliance_factor = table.number("compliance_factor", between(0.05, 5), coupling.compliance_factor);
   coupling.maximum_interval =
       table.quantity("maximum_interval", dimension::time, positive, coupling.maximum_interval);
   coupling.fracture_normal_stiffness = table.quantity("fracture_normal_stiffness", dimension::gradient,

@@ -114,8 +114,6 @@ void row_sum(const FractureNetwork& network, const Neighbours& neighbours, const
   for (const std::size_t node : part) compliance[node] = 0;
   for (std::size_t k = 0; k < elements.size(); ++k)
     compliance[owner[k]] += opening[k] * 2 * elements[k].half_length / nodes[owner[k]].lumped_length;
-  for (const std::size_t node : part)
-    compliance[node] = std::max(compliance[node], compliance_floor(nodes[node].lumped_length, plane_strain_modulus));
 }
 
 }  // namespace
@@ -127,7 +125,7 @@ double straight_crack_compliance(double distance, double trace, double cell, dou
   return 4 / plane_strain_modulus * std::sqrt(product);
 }
 
-std::vector<double> interface_compliance(const FractureNetwork& network, double plane_strain_modulus) {
+std::vector<double> interface_compliance(const FractureNetwork& network, double plane_strain_modulus, double factor) {
   const Neighbours neighbours = neighbours_of(network);
   std::vector<double> compliance(network.nodes().size());
   std::vector<bool> seen(network.nodes().size(), false);
@@ -139,6 +137,9 @@ std::vector<double> interface_compliance(const FractureNetwork& network, double 
     else
       row_sum(network, neighbours, part, plane_strain_modulus, compliance);
   }
+  for (std::size_t i = 0; i < compliance.size(); ++i)
+    compliance[i] = std::max(factor * compliance[i],
+                             compliance_floor(network.nodes()[i].lumped_length, plane_strain_modulus));
   return compliance;
 }
 

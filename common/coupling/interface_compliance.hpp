@@ -7,14 +7,17 @@
 
 namespace fissura {
 
-/// Interface compliance C_R of every node: its opening per unit uniform pressure in the connected fracture. It estimates what the
-/// structure will do with a pressure increment and stores no fluid; a factor between 0.1 and 3 is harmless.
+/// Interface compliance C_R of every node: `factor` times its static opening per unit uniform pressure in the connected fracture. It estimates
+/// what the structure will do with a pressure increment and stores no fluid; a factor between 0.1 and 3 is harmless for length, aperture and
+/// pressure. Within one interval the inertia of the rock lets only a part of the static opening happen, so a factor below 1 keeps the
+/// structure's volume closer to the content.
 /// A connected part of the network that is one straight fracture takes the closed form, any other one the row sum of the
 /// displacement-discontinuity method. Both have the same floor, so that k_s = 1 / C_R never exceeds E' / (2 h).
 /// @param network               the graph at its present revision
 /// @param plane_strain_modulus  E' [Pa]
+/// @param factor                > 0 [-]
 /// @returns one value per node, > 0 [m/Pa]
-std::vector<double> interface_compliance(const FractureNetwork& network, double plane_strain_modulus);
+std::vector<double> interface_compliance(const FractureNetwork& network, double plane_strain_modulus, double factor);
 
 /// Sneddon's opening of a crack of length `trace` per unit pressure at `distance` from its end along the trace [m/Pa]:
 ///   D = (4 / E') sqrt(s (2a - s)),   s (2a - s) >= h^2 / 4                     (Sneddon 1946)

@@ -157,7 +157,7 @@ void StaggeredScheme::insert(const Insertion& insertion) {
                                            name(role), network_.revision(), found, expected));
     if (role == Role::structure) structure_ = read_response(acknowledgement, network_, case_.pressure_range);
   }
-  compliance_ = interface_compliance(network_, case_.rock.plane_strain_modulus());
+  compliance_ = interface_compliance(network_, case_.rock.plane_strain_modulus(), case_.coupling.compliance_factor);
   network_pressure_.resize(network_.nodes().size(), 0);
   average_rate_.resize(network_.nodes().size(), 0);
   if (network_.revision() > 0) ++insertions_;
