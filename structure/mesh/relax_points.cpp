@@ -14,7 +14,7 @@ namespace {
 constexpr int adapting_rounds = 5;
 constexpr int moves_per_round = 2;
 constexpr int settling_moves = 4;
-constexpr int improving_passes = 6;
+constexpr int improving_passes = 12;
 constexpr double longest = 1.42;            // edge over target size above which it is split
 constexpr double shortest = 0.66;           // edge over target size below which a point of it goes
 constexpr double clearance_kept = 0.5;      // of the target size
@@ -44,7 +44,7 @@ class Relaxation {
       for (int move = 0; move < moves_per_round; ++move) smooth();
     }
     for (int move = 0; move < settling_moves; ++move) smooth();
-    for (int pass = 0; pass < improving_passes; ++pass) improve_shapes();
+    for (int pass = 0; pass < improving_passes && improve_shapes(); ++pass) connect();
     return std::move(triangles_);
   }
 
@@ -164,7 +164,9 @@ class Relaxation {
     return worst;
   }
 
-  void improve_shapes() {
+  // Whether any point has moved.
+  bool improve_shapes() {
+    bool moved = false;
     const double enough = std::sin(angle_to_improve * std::numbers::pi / 180);
     for (std::uint32_t i = cloud_.prescribed; i < cloud_.points.size(); ++i) {
       if (cloud_.held[i]) continue;
@@ -182,9 +184,10 @@ class Relaxation {
           best = shape_there;
           cloud_.points[i] = to;
           sample_[i] = sample;
+          moved = true;
         }
     }
-    connect();
+    return moved;
   }
 
   PointCloud& cloud_;

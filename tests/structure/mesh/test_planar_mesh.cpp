@@ -32,12 +32,12 @@ Worst worst(const PlanarMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("no angle is below 25 degrees and no altitude below 0.6 of the fracture size",
+TEST_CASE("no angle is below 30 degrees and no altitude below 0.65 of the fracture size",
           "[structure][mesh]") {
   const auto given = GENERATE(single_line(), crossing(), touching());
   const Worst found = worst(mesh_domain(given));
-  CHECK(found.angle >= 25);
-  CHECK(found.altitude >= 0.6 * given.mesh.fracture_size);
+  CHECK(found.angle >= 30);
+  CHECK(found.altitude >= 0.65 * given.mesh.fracture_size);
 }
 
 TEST_CASE("the bounds on angle and altitude hold for every seed and a steep gradation", "[structure][mesh]") {
@@ -45,8 +45,8 @@ TEST_CASE("the bounds on angle and altitude hold for every seed and a steep grad
   given.mesh.seed = static_cast<std::uint64_t>(GENERATE(range(1, 11)));
   given.mesh.gradation = GENERATE(0.1, 0.5);
   const Worst found = worst(mesh_domain(given));
-  CHECK(found.angle >= 25);
-  CHECK(found.altitude >= 0.6 * given.mesh.fracture_size);
+  CHECK(found.angle >= 30);
+  CHECK(found.altitude >= 0.65 * given.mesh.fracture_size);
 }
 
 TEST_CASE("beside a straight line the triangles are equilateral and mirrored in it", "[structure][mesh]") {
