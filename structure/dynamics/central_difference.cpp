@@ -65,13 +65,14 @@ void CentralDifference::advance(State& state, const Step& step) {
   ENSURE(!law_ || state.damage.size() == tiles_.tile.size());
   const int threads =
       static_cast<int>(std::min(workspace_.size(), std::max<std::size_t>(tiles_.tile.size(), 1)));
+  const StepFactors factors(step);
 #pragma omp parallel num_threads(threads) if (threads > 1)
   {
     TileWorkspace& workspace = workspace_[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(dynamic)
-    for (std::size_t t = 0; t < tiles_.tile.size(); ++t) advance_tile(t, state, step, workspace);
+    for (std::size_t t = 0; t < tiles_.tile.size(); ++t) advance_tile(t, state, factors, workspace);
 #pragma omp for schedule(static) nowait
-    for (std::size_t i = 0; i < tiles_.shared.node.size(); ++i) advance_shared_node(i, state, step);
+    for (std::size_t i = 0; i < tiles_.shared.node.size(); ++i) advance_shared_node(i, state, factors);
 #pragma omp for schedule(static) nowait
     for (std::size_t i = 0; i < tiles_.joint.node.size(); ++i) gather_joint_force(i);
     if (!body_.prescribed.empty()) {
@@ -82,7 +83,7 @@ void CentralDifference::advance(State& state, const Step& step) {
   }
 }
 
-void CentralDifference::advance_tile(std::size_t t, State& state, const Step& step,
+void CentralDifference::advance_tile(std::size_t t, State& state, const StepFactors factors,
                                      TileWorkspace& workspace) {
   const Tile& tile = tiles_.tile[t];
   gather_nodes(tile, state.displacement, workspace);
@@ -94,22 +95,20 @@ void CentralDifference::advance_tile(std::size_t t, State& state, const Step& st
   for (std::size_t i = 0; i < tile.interior.size(); ++i) {
     const InteriorNode& node = tile.interior[i];
     const std::size_t dof = 2 * std::size_t{tile.nodes[i]};
-    for (int axis = 0; axis < 2; ++axis)
-      integrate(workspace.force[i][axis] + node.external_force[axis], node.inverse_mass[axis], step,
-                state.velocity[dof + axis], state.displacement[dof + axis]);
+    integrate(load_pair(workspace.force[i].data()) + load_pair(node.external_force.data()),
+              load_pair(node.inverse_mass.data()), factors, &state.velocity[dof], &state.displacement[dof]);
   }
   std::copy_n(workspace.force.begin() + static_cast<std::ptrdiff_t>(tile.interior.size()),
               tile.shared_nodes(), slot_force_.begin() + static_cast<std::ptrdiff_t>(tile.first_slot));
 }
 
-void CentralDifference::advance_shared_node(std::size_t i, State& state, const Step& step) const {
+void CentralDifference::advance_shared_node(std::size_t i, State& state, const StepFactors factors) const {
   const auto force = sum_slots(tiles_.shared, i, slot_force_);
   const NodeIndex node = tiles_.shared.node[i];
-  for (int axis = 0; axis < 2; ++axis) {
-    const std::size_t dof = 2 * std::size_t{node} + axis;
-    integrate(force[axis] + body_.external_force[dof], body_.inverse_mass[node][axis], step,
-              state.velocity[dof], state.displacement[dof]);
-  }
+  const std::size_t dof = 2 * std::size_t{node};
+  integrate(load_pair(force.data()) + load_pair(&body_.external_force[dof]),
+            load_pair(body_.inverse_mass[node].data()), factors, &state.velocity[dof],
+            &state.displacement[dof]);
 }
 
 void CentralDifference::gather_joint_force(std::size_t i) {

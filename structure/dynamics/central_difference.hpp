@@ -7,13 +7,11 @@
 #include "structure/dynamics/body.hpp"
 #include "structure/dynamics/damage_state.hpp"
 #include "structure/dynamics/element_loop.hpp"
+#include "structure/dynamics/node_motion.hpp"
 #include "structure/dynamics/tiles.hpp"
 
-/// Explicit central differences with lumped mass and Cundall's local damping (Cundall 1987):
-///   F       = f_internal(u^n) + f_external
-///   v^{n+1/2} = v^{n-1/2} + dt / (mass_scale m) (F - damping |F| sign(v^{n-1/2})) ,   sign(0) = 0
-///   u^{n+1} = u^n + dt v^{n+1/2}
-/// component by component. Nodes of joints are left to the joint law.
+/// Explicit steps of the rock by central differences (node_motion.hpp). Nodes of joints are left to the joint
+/// law.
 namespace fissura::structure {
 
 /// What the dynamics change. Vectors are interleaved x, y per node of the mesh.
@@ -28,13 +26,6 @@ State state_at_rest(const Body& body);
 
 /// The same of a body that can soften, undamaged.
 State state_at_rest(const Body& body, const Tiles& tiles);
-
-struct Step {
-  double size = 0;        ///< dt [s]
-  double end = 0;         ///< simulated time after the step [s], for prescribed displacements
-  double mass_scale = 1;  ///< of all masses alike [-]
-  double damping = 0;     ///< local damping [-], 0 <= damping < 1
-};
 
 class CentralDifference {
  public:
@@ -54,8 +45,8 @@ class CentralDifference {
   [[nodiscard]] const std::vector<double>& joint_force() const { return joint_force_; }
 
  private:
-  void advance_tile(std::size_t t, State& state, const Step& step, TileWorkspace& workspace);
-  void advance_shared_node(std::size_t i, State& state, const Step& step) const;
+  void advance_tile(std::size_t t, State& state, StepFactors factors, TileWorkspace& workspace);
+  void advance_shared_node(std::size_t i, State& state, StepFactors factors) const;
   void gather_joint_force(std::size_t i);
 
   const Body& body_;
@@ -67,15 +58,5 @@ class CentralDifference {
   std::vector<double> joint_force_;
   std::vector<TileWorkspace> workspace_;
 };
-
-/// Integrates one component of a node: updates its velocity [m/s] and displacement [m] with the force F
-/// [N/m]. `inverse_mass` [m/kg] is that of `Body`, without mass scale.
-inline void integrate(double force, double inverse_mass, const Step& step, double& velocity,
-                      double& displacement) {
-  const double direction = static_cast<double>(velocity > 0) - static_cast<double>(velocity < 0);
-  const double damped = force - step.damping * (force < 0 ? -force : force) * direction;
-  velocity += step.size / step.mass_scale * inverse_mass * damped;
-  displacement += step.size * velocity;
-}
 
 }  // namespace fissura::structure

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structure/dynamics/element_loop.hpp"
 
+#include <algorithm>
+
 #include "structure/material/crack_band.hpp"
 #include "structure/material/failure_trigger.hpp"
 
@@ -9,52 +11,47 @@ namespace fissura::structure {
 namespace {
 
 // Edge vectors from the first corner and strain of a triangle; all the loop ever needs of its geometry.
-template <class Real>
 struct EdgeStrain {
-  Real x1, y1, x2, y2;
-  InPlane<Real> strain;
+  Lanes x1, y1, x2, y2;
+  InPlane<Lanes> strain;
 };
 
-template <class Record>
-inline auto edge_strain(const Record& a, const Record& b, const Record& c) {
-  using Real = std::decay_t<decltype(a.x)>;
-  const Real x1 = b.x - a.x, y1 = b.y - a.y, x2 = c.x - a.x, y2 = c.y - a.y;
-  const Real u1 = b.ux - a.ux, v1 = b.uy - a.uy, u2 = c.ux - a.ux, v2 = c.uy - a.uy;
-  const Real scale = 1.0 / (x1 * y2 - x2 * y1);
-  return EdgeStrain<Real>{x1,
-                          y1,
-                          x2,
-                          y2,
-                          {(u1 * y2 - u2 * y1) * scale, (v2 * x1 - v1 * x2) * scale,
-                           ((u2 * x1 - u1 * x2) + (v1 * y2 - v2 * y1)) * scale}};
+inline EdgeStrain edge_strain(const RecordLanes& a, const RecordLanes& b, const RecordLanes& c) {
+  const Lanes x1 = b.x - a.x, y1 = b.y - a.y, x2 = c.x - a.x, y2 = c.y - a.y;
+  const Lanes u1 = b.ux - a.ux, v1 = b.uy - a.uy, u2 = c.ux - a.ux, v2 = c.uy - a.uy;
+  const Lanes scale = 1.0 / (x1 * y2 - x2 * y1);
+  return {x1,
+          y1,
+          x2,
+          y2,
+          {(u1 * y2 - u2 * y1) * scale, (v2 * x1 - v1 * x2) * scale,
+           ((u2 * x1 - u1 * x2) + (v1 * y2 - v2 * y1)) * scale}};
 }
 
-template <class Real>
 struct CornerForces {
-  Real x0, y0, x1, y1, x2, y2;
+  Lanes x0, y0, x1, y1, x2, y2;
 };
 
 // - A stress . grad N_i ; the slopes of N_1 and N_2 are edge normals over twice the area.
-template <class Real>
-inline CornerForces<Real> corner_forces(const EdgeStrain<Real>& edge, const InPlane<Real>& total) {
-  const Real half_xx = 0.5 * total.xx, half_yy = 0.5 * total.yy, half_xy = 0.5 * total.xy;
-  const Real fx1 = half_xy * edge.x2 - half_xx * edge.y2, fy1 = half_yy * edge.x2 - half_xy * edge.y2;
-  const Real fx2 = half_xx * edge.y1 - half_xy * edge.x1, fy2 = half_xy * edge.y1 - half_yy * edge.x1;
+inline CornerForces corner_forces(const EdgeStrain& edge, const InPlane<Lanes>& total) {
+  const Lanes half_xx = 0.5 * total.xx, half_yy = 0.5 * total.yy, half_xy = 0.5 * total.xy;
+  const Lanes fx1 = half_xy * edge.x2 - half_xx * edge.y2, fy1 = half_yy * edge.x2 - half_xy * edge.y2;
+  const Lanes fx2 = half_xx * edge.y1 - half_xy * edge.x1, fy2 = half_xy * edge.y1 - half_yy * edge.x1;
   return {-(fx1 + fx2), -(fy1 + fy2), fx1, fy1, fx2, fy2};
 }
 
-template <std::size_t bytes>
-bool any_byte(const std::uint8_t* first) {
-  std::uint64_t combined = 0;
-  std::memcpy(&combined, first, bytes);
-  return combined != 0;
+inline void add_corner_forces(std::array<double, 2>* force, const std::uint16_t* a, const std::uint16_t* b,
+                              const std::uint16_t* c, const CornerForces& f) {
+  add_forces(force, a, f.x0, f.y0);
+  add_forces(force, b, f.x1, f.y1);
+  add_forces(force, c, f.x2, f.y2);
 }
 
 struct ElasticOnly {
   void operator()(std::size_t, InPlane<Lanes>&, Lanes&) const {}
 };
 
-// Lists the lanes that may fail and takes their stress out of the first pass.
+// Lists the elements that may fail or have failed and takes their stress out of the first pass.
 struct ListFailing {
   RankineSurface surface;
   const std::uint8_t* cracked;
@@ -62,16 +59,13 @@ struct ListFailing {
 
   void operator()(std::size_t place, InPlane<Lanes>& stress, Lanes& pressure) const {
     const LaneMask outside = exceeds(mohr_radius_squared(stress), surface.radius_limit(mohr_centre(stress)));
-    if (any(outside) || any_byte<lanes>(cracked + place)) [[unlikely]]
-      list(place, outside, stress, pressure);
-  }
-
-  void list(std::size_t place, const LaneMask& outside, InPlane<Lanes>& stress, Lanes& pressure) const {
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      if (!outside[lane] && !cracked[place + lane]) continue;
-      listed->push_back(static_cast<std::uint16_t>(place + lane));
-      stress.xx[lane] = stress.yy[lane] = stress.xy[lane] = pressure[lane] = 0;
-    }
+    const LaneMarks marks = marks_of(outside) | load_marks(cracked + place);
+    if (marks == 0) [[likely]]
+      return;
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      if (marked(marks, lane)) listed->push_back(static_cast<std::uint16_t>(place + lane));
+    stress = {unmarked(stress.xx, marks), unmarked(stress.yy, marks), unmarked(stress.xy, marks)};
+    pressure = unmarked(pressure, marks);
   }
 };
 
@@ -92,68 +86,84 @@ void first_pass(const Tile& tile, const Elasticity& moduli, const Failure& failu
       stress.xy += load_floats(group.stress[2] + begin);
       Lanes pressure = load_floats(group.pore_pressure + begin);
       failure(g * group_width + begin, stress, pressure);
-      const InPlane<Lanes> total{stress.xx - pressure, stress.yy - pressure, stress.xy};
-      const auto f = corner_forces(edge, total);
-      add_forces(force, group.node[0] + begin, f.x0, f.y0);
-      add_forces(force, group.node[1] + begin, f.x1, f.y1);
-      add_forces(force, group.node[2] + begin, f.x2, f.y2);
+      const auto f = corner_forces(edge, {stress.xx - pressure, stress.yy - pressure, stress.xy});
+      add_corner_forces(force, group.node[0] + begin, group.node[1] + begin, group.node[2] + begin, f);
     }
   }
 }
 
-struct SecondPassElement {
-  std::array<std::uint16_t, 3> node;
-  EdgeStrain<double> edge;
-  InPlane<double> undamaged;
-  double pressure;
+// Listed elements, gathered like a group of the tile; filled up with padding elements.
+struct Gathered {
+  std::uint16_t node[3][lanes];
+  InPlane<Lanes> in_situ{};
+  Lanes pressure{};
 };
 
-SecondPassElement second_pass_element(const Tile& tile, const Elasticity& moduli, std::size_t place,
-                                      const NodeRecord* record) {
-  const ElementGroup& group = tile.groups[place / group_width];
-  const std::size_t lane = place % group_width;
-  SecondPassElement element;
-  element.node = {group.node[0][lane], group.node[1][lane], group.node[2][lane]};
-  element.edge = edge_strain(record[element.node[0]], record[element.node[1]], record[element.node[2]]);
-  element.undamaged = elastic_stress(moduli, element.edge.strain);
-  element.undamaged.xx += group.stress[0][lane];
-  element.undamaged.yy += group.stress[1][lane];
-  element.undamaged.xy += group.stress[2][lane];
-  element.pressure = group.pore_pressure[lane];
-  return element;
+Gathered gather_listed(const Tile& tile, const std::uint16_t* places, std::size_t count) {
+  Gathered gathered;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    if (i >= count) {
+      for (std::size_t corner = 0; corner < 3; ++corner)
+        gathered.node[corner][i] = static_cast<std::uint16_t>(tile.nodes.size() + corner);
+      continue;
+    }
+    const ElementGroup& group = tile.groups[places[i] / group_width];
+    const std::size_t lane = places[i] % group_width;
+    for (std::size_t corner = 0; corner < 3; ++corner) gathered.node[corner][i] = group.node[corner][lane];
+    gathered.in_situ.xx[i] = group.stress[0][lane];
+    gathered.in_situ.yy[i] = group.stress[1][lane];
+    gathered.in_situ.xy[i] = group.stress[2][lane];
+    gathered.pressure[i] = group.pore_pressure[lane];
+  }
+  return gathered;
 }
 
-void start_damage(const RankineDamage& law, const SecondPassElement& element, std::size_t place,
-                  const NodeRecord* record, TileDamage& damage) {
-  const auto corner = [&](int i) { return Point{record[element.node[i]].x, record[element.node[i]].y}; };
-  const double band =
-      crack_band_length({corner(0), corner(1), corner(2)}, principal(element.undamaged).direction);
-  const auto onset = damage_onset(law, element.undamaged, band);
+void start_damage(const RankineDamage& law, const InPlane<double>& undamaged,
+                  const std::array<Point, 3>& corner, std::size_t place, TileDamage& damage) {
+  const auto onset = damage_onset(law, undamaged, crack_band_length(corner, principal(undamaged).direction));
   if (!onset) return;
   damage.cracked[place] = 1;
   damage.record_of[place] = static_cast<std::uint16_t>(damage.record.size());
   damage.record.push_back(*onset);
 }
 
-void add(std::array<double, 2>& sum, double x, double y) {
-  sum[0] += x;
-  sum[1] += y;
-}
-
 void second_pass(const Tile& tile, const Elasticity& moduli, const RankineDamage& law, TileDamage& damage,
                  TileWorkspace& workspace) {
   const NodeRecord* record = workspace.record.data();
-  for (const std::uint16_t place : workspace.listed) {
-    const auto element = second_pass_element(tile, moduli, place, record);
-    if (!damage.cracked[place]) start_damage(law, element, place, record, damage);
-    InPlane<double> total = element.undamaged;
-    if (damage.cracked[place]) total = damaged_stress(law, total, damage.record[damage.record_of[place]]);
-    total.xx -= element.pressure;
-    total.yy -= element.pressure;
-    const auto f = corner_forces(element.edge, total);
-    add(workspace.force[element.node[0]], f.x0, f.y0);
-    add(workspace.force[element.node[1]], f.x1, f.y1);
-    add(workspace.force[element.node[2]], f.x2, f.y2);
+  for (std::size_t begin = 0; begin < workspace.listed.size(); begin += lanes) {
+    const std::uint16_t* places = workspace.listed.data() + begin;
+    const std::size_t count = std::min(lanes, workspace.listed.size() - begin);
+    const Gathered gathered = gather_listed(tile, places, count);
+    const auto edge =
+        edge_strain(load_records(record, gathered.node[0]), load_records(record, gathered.node[1]),
+                    load_records(record, gathered.node[2]));
+    InPlane<Lanes> stress = elastic_stress(moduli, edge.strain);
+    stress.xx += gathered.in_situ.xx;
+    stress.yy += gathered.in_situ.yy;
+    stress.xy += gathered.in_situ.xy;
+    const Lanes centre = mohr_centre(stress), radius = square_root(mohr_radius_squared(stress));
+    const Lanes equivalent_strain = (centre + radius) / law.youngs_modulus;
+    Lanes damaged{};
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint16_t place = places[i];
+      if (!damage.cracked[place]) {
+        const auto corner = [&](int c) {
+          const NodeRecord& node = record[gathered.node[c][i]];
+          return Point{node.x, node.y};
+        };
+        start_damage(law, {stress.xx[i], stress.yy[i], stress.xy[i]}, {corner(0), corner(1), corner(2)},
+                     place, damage);
+      }
+      if (!damage.cracked[place]) continue;
+      DamageHistory& history = damage.record[damage.record_of[place]];
+      grow_damage(law, equivalent_strain[i], history);
+      damaged[i] = history.damage;
+    }
+    const auto tensile = tensile_part(stress, centre, radius);
+    const auto f = corner_forces(
+        edge, {stress.xx - damaged * tensile.xx - gathered.pressure,
+               stress.yy - damaged * tensile.yy - gathered.pressure, stress.xy - damaged * tensile.xy});
+    add_corner_forces(workspace.force.data(), gathered.node[0], gathered.node[1], gathered.node[2], f);
   }
 }
 

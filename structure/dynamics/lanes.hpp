@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -21,7 +22,19 @@ using Quad = double __attribute__((vector_size(4 * sizeof(double))));
 using Pair = double __attribute__((vector_size(2 * sizeof(double))));
 using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
 using FloatLanes = float __attribute__((vector_size(lanes * sizeof(float))));
+using MarkBytes = std::int8_t __attribute__((vector_size(lanes)));
 using LaneMask = std::int64_t __attribute__((vector_size(lanes * sizeof(std::int64_t))));
+
+/// The x and y component of something, from two neighbouring values in memory.
+inline Pair load_pair(const double* values) {
+  Pair pair;
+  std::memcpy(&pair, values, sizeof(pair));
+  return pair;
+}
+
+inline void store_pair(double* values, const Pair& pair) {
+  std::memcpy(values, &pair, sizeof(pair));
+}
 
 /// What an element needs to know of a node, and the force on it.
 struct alignas(32) NodeRecord {
@@ -84,10 +97,8 @@ inline Lanes load_floats(const float* value) {
 inline void add_forces(std::array<double, 2>* force, const std::uint16_t* node, const Lanes& x,
                        const Lanes& y) {
   const auto add = [&](std::size_t lane, const Pair& value) {
-    Pair sum;
-    std::memcpy(&sum, &force[node[lane]], sizeof(sum));
-    sum += value;
-    std::memcpy(&force[node[lane]], &sum, sizeof(sum));
+    double* sum = force[node[lane]].data();
+    store_pair(sum, load_pair(sum) + value);
   };
 #ifdef __AVX512F__
   const Lanes even = __builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14);
@@ -110,11 +121,38 @@ inline void add_forces(std::array<double, 2>* force, const std::uint16_t* node, 
 #endif
 }
 
-/// True if any lane is set.
-inline bool any(const LaneMask& mask) {
-  std::int64_t combined = 0;
-  for (std::size_t lane = 0; lane < lanes; ++lane) combined |= mask[lane];
-  return combined != 0;
+/// One byte per lane, as a number: 0 if no lane is marked.
+using LaneMarks = std::uint64_t;
+
+inline LaneMarks marks_of(const LaneMask& mask) {
+  const MarkBytes bytes = __builtin_convertvector(mask, MarkBytes);
+  LaneMarks marks = 0;
+  std::memcpy(&marks, &bytes, sizeof(bytes));
+  return marks;
+}
+
+inline LaneMarks load_marks(const std::uint8_t* first) {
+  LaneMarks marks = 0;
+  std::memcpy(&marks, first, lanes);
+  return marks;
+}
+
+inline bool marked(LaneMarks marks, std::size_t lane) {
+  return (marks >> (8 * lane) & 0xff) != 0;
+}
+
+/// Values of the lanes without a mark, 0 in the others.
+inline Lanes unmarked(const Lanes& values, LaneMarks marks) {
+  MarkBytes bytes;
+  std::memcpy(&bytes, &marks, sizeof(bytes));
+  const Lanes zero{};
+  return __builtin_convertvector(bytes, LaneMask) != 0 ? zero : values;
+}
+
+inline Lanes square_root(const Lanes& values) {
+  Lanes roots;
+  for (std::size_t lane = 0; lane < lanes; ++lane) roots[lane] = std::sqrt(values[lane]);
+  return roots;
 }
 
 }  // namespace fissura::structure

@@ -30,7 +30,21 @@ struct Principal {
 /// For an isotropic stress every direction is principal; x is taken.
 Principal principal(const InPlane<double>& stress);
 
-/// Part of the stress carried by its tensile principal values,  sum of <sigma_i> n_i n_i  [Pa].
+/// Part of the stress carried by its tensile principal values,  s+ = sum of <s_i> n_i n_i  [Pa]. With the
+/// deviator d (of the plane) and n n = (I + d / r) / 2 for the major, (I - d / r) / 2 for the minor direction
+///   s+ = (<s_1> + <s_2>) / 2 I + (<s_1> - <s_2>) / (2 r) d .
+/// Centre and radius are those of the stress's circle [Pa].
+template <class Real>
+constexpr InPlane<Real> tensile_part(const InPlane<Real>& stress, const Real& centre, const Real& radius) {
+  const Real zero{}, major = centre + radius, minor = centre - radius;
+  const Real tensile_major = major > 0.0 ? major : zero, tensile_minor = minor > 0.0 ? minor : zero;
+  const Real mean = 0.5 * (tensile_major + tensile_minor);
+  const Real half_difference = 0.5 * (tensile_major - tensile_minor);
+  const Real share = radius > 0.0 ? half_difference / radius : zero;
+  const Real deviator = share * (0.5 * (stress.xx - stress.yy));
+  return {mean + deviator, mean - deviator, share * stress.xy};
+}
+
 InPlane<double> tensile_part(const InPlane<double>& stress);
 
 }  // namespace fissura::structure

@@ -16,10 +16,6 @@ double exponential_strain(const RankineDamage& law, double strength, double band
   return law.fracture_energy / (strength * band_length) - 0.5 * strength / law.youngs_modulus;
 }
 
-double major_principal(const InPlane<double>& stress) {
-  return mohr_centre(stress) + std::sqrt(mohr_radius_squared(stress));
-}
-
 }  // namespace
 
 double admissible_strength(const RankineDamage& law, double band_length) {
@@ -59,18 +55,23 @@ double dissipated_energy(const RankineDamage& law, const DamageHistory& history)
 std::optional<DamageHistory> damage_onset(const RankineDamage& law, const InPlane<double>& undamaged_stress,
                                           double band_length) {
   const double strength = admissible_strength(law, band_length);
-  if (major_principal(undamaged_stress) <= strength) return std::nullopt;
+  const double major = mohr_centre(undamaged_stress) + std::sqrt(mohr_radius_squared(undamaged_stress));
+  if (major <= strength) return std::nullopt;
   return DamageHistory{strength / law.youngs_modulus, 0, band_length, strength};
+}
+
+void grow_damage(const RankineDamage& law, double equivalent_strain, DamageHistory& history) {
+  if (equivalent_strain <= history.equivalent_strain) return;
+  history.equivalent_strain = equivalent_strain;
+  history.damage = damage_of_strain(law, history.tensile_strength, history.band_length, equivalent_strain);
 }
 
 InPlane<double> damaged_stress(const RankineDamage& law, const InPlane<double>& undamaged_stress,
                                DamageHistory& history) {
-  const double equivalent_strain = major_principal(undamaged_stress) / law.youngs_modulus;
-  if (equivalent_strain > history.equivalent_strain) {
-    history.equivalent_strain = equivalent_strain;
-    history.damage = damage_of_strain(law, history.tensile_strength, history.band_length, equivalent_strain);
-  }
-  const auto tensile = tensile_part(undamaged_stress);
+  const double centre = mohr_centre(undamaged_stress),
+               radius = std::sqrt(mohr_radius_squared(undamaged_stress));
+  grow_damage(law, (centre + radius) / law.youngs_modulus, history);
+  const auto tensile = tensile_part(undamaged_stress, centre, radius);
   return {undamaged_stress.xx - history.damage * tensile.xx,
           undamaged_stress.yy - history.damage * tensile.yy,
           undamaged_stress.xy - history.damage * tensile.xy};

@@ -51,6 +51,9 @@ double dissipated_energy(const RankineDamage& law, const DamageHistory& history)
 std::optional<DamageHistory> damage_onset(const RankineDamage& law, const InPlane<double>& undamaged_stress,
                                           double band_length);
 
+/// Lets the damage grow to the equivalent strain  major principal s / E  [-] if it is the largest so far.
+void grow_damage(const RankineDamage& law, double equivalent_strain, DamageHistory& history);
+
 /// Lets the damage grow to the undamaged stress [Pa] and returns the stress  s - D s+  [Pa].
 InPlane<double> damaged_stress(const RankineDamage& law, const InPlane<double>& undamaged_stress,
                                DamageHistory& history);

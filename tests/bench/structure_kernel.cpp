@@ -36,8 +36,8 @@ using namespace fissura::structure::fakes;
 
 constexpr double edge = 0.5;
 constexpr double jitter = 0.25;
-constexpr int trials = 9;
-constexpr double updates_per_trial = 6e6;
+constexpr int trials = 7;
+constexpr double updates_per_trial = 3e6;
 constexpr double free_cores_ratio = 1.9;
 
 double processor_time() {

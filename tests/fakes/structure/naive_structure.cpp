@@ -98,12 +98,19 @@ void NaiveStructure::add_force(Element& element) {
 }
 
 void NaiveStructure::advance(const Step& step) {
+  const double size = step.size, impulse = step.size / step.mass_scale, damping = step.damping;
   for (Node& node : nodes_) node.force = node.external_force;
   for (Element& element : elements_) add_force(element);
   for (Node& node : nodes_)
-    for (int axis = 0; axis < 2; ++axis)
-      integrate(node.force[axis], node.inverse_mass[axis], step, node.velocity[axis],
-                node.displacement[axis]);
+    for (int axis = 0; axis < 2; ++axis) {
+      const double force = node.force[axis], drag = damping * std::abs(force);
+      const double before = node.velocity[axis];
+      node.velocity[axis] += impulse * node.inverse_mass[axis] *
+                             (force - (before > 0   ? drag
+                                       : before < 0 ? -drag
+                                                    : 0));
+      node.displacement[axis] += size * node.velocity[axis];
+    }
 }
 
 std::vector<double> NaiveStructure::displacement() const {

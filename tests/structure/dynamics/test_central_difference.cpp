@@ -14,18 +14,22 @@ using namespace fissura::structure::fakes;
 
 TEST_CASE("local damping takes its share of the force against the motion", "[structure][dynamics]") {
   const Step step{0.1, 0, 4, 0.25};
+  const StepFactors factors(step);
   const double inverse_mass = 0.5, force = GENERATE(8.0, -8.0);
+  const Pair forces{force, 0}, inverse_masses{inverse_mass, inverse_mass};
   const double undamped = step.size / step.mass_scale * inverse_mass * force;
-  double velocity = 0, displacement = 1;
-  integrate(force, inverse_mass, step, velocity, displacement);
-  CHECK(velocity == Approx(undamped).epsilon(1e-15));  // at rest there is nothing to damp
-  CHECK(displacement == Approx(1 + step.size * undamped).epsilon(1e-15));
-  const double before = velocity;
-  integrate(force, inverse_mass, step, velocity, displacement);
-  CHECK(velocity - before == Approx(0.75 * undamped).epsilon(1e-14));
-  const double moving = velocity;
-  integrate(-force, inverse_mass, step, velocity, displacement);
-  CHECK(velocity - moving == Approx(-1.25 * undamped).epsilon(1e-14));
+  double velocity[2] = {0, 3}, displacement[2] = {1, 0};
+  integrate(forces, inverse_masses, factors, velocity, displacement);
+  CHECK(velocity[0] == Approx(undamped).epsilon(1e-15));  // at rest there is nothing to damp
+  CHECK(displacement[0] == Approx(1 + step.size * undamped).epsilon(1e-15));
+  CHECK(velocity[1] == 3);  // nor without a force
+  CHECK(displacement[1] == Approx(3 * step.size).epsilon(1e-15));
+  const double before = velocity[0];
+  integrate(forces, inverse_masses, factors, velocity, displacement);
+  CHECK(velocity[0] - before == Approx(0.75 * undamped).epsilon(1e-14));
+  const double moving = velocity[0];
+  integrate(-forces, inverse_masses, factors, velocity, displacement);
+  CHECK(velocity[0] - moving == Approx(-1.25 * undamped).epsilon(1e-14));
 }
 
 TEST_CASE("a prescribed side follows its ramp and then rests", "[structure][dynamics]") {
