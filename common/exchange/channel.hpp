@@ -39,8 +39,8 @@ class ParticipantChannel {
   /// Throws ProtocolError if the outgoing queue is full (the lock-step exchange is broken).
   void send(Message message);
 
-  /// Waits at most `patience`. A message that came before the connection broke is delivered first. Throws ProtocolError
-  /// for a damaged, lost, doubled or foreign message.
+  /// Waits at most `patience`. Throws ProtocolError for a damaged, lost, doubled or foreign message. Messages that have not been received
+  /// when the connection breaks may be lost with it, so the coupler waits for its participants before it goes.
   std::variant<Message, Silence, ConnectionLost> receive(Seconds patience);
 
  private:
