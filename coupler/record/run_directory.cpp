@@ -56,7 +56,7 @@ bool holds_only_our_lock(const fs::path& directory) {
 
 void check_content(const fs::path& directory) {
   if (holds_only_our_lock(directory) || is_finished_run(directory)) return;
-  if (fs::exists(directory / "run.json"))
+  if (fs::exists(directory / "run.json") || fs::exists(directory / lock_name))
     refuse(fmt::format(
         "{} holds a run that did not finish: choose another --out, or delete the directory if its "
         "results are not wanted",

@@ -83,6 +83,11 @@ TEST_CASE("results are not overwritten unless they are those of a finished run",
     CHECK_THROWS_WITH(RunDirectory(folder.path()),
                       Catch::Contains("did not finish") && Catch::Contains("--out"));
   }
+  SECTION("a run that died before it had written what it is") {
+    touch(folder.path() / "lock");
+    touch(folder.path() / "coupler.ipc");
+    CHECK_THROWS_WITH(RunDirectory(folder.path()), Catch::Contains("did not finish"));
+  }
   SECTION("a finished run, with a file of the user in it") {
     for (const char* name : {"run.json", "summary.json", "history.csv", "notes.txt"})
       touch(folder.path() / name);
