@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/network/flow_setup.hpp"
 
+#include <string>
 #include <utility>
 
 namespace fissura::network::test {
