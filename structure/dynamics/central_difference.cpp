@@ -96,7 +96,8 @@ void CentralDifference::advance_tile(std::size_t t, State& state, const StepFact
     const InteriorNode& node = tile.interior[i];
     const std::size_t dof = 2 * std::size_t{tile.nodes[i]};
     integrate(load_pair(workspace.force[i].data()) + load_pair(node.external_force.data()),
-              load_pair(node.inverse_mass.data()), factors, &state.velocity[dof], &state.displacement[dof]);
+              Pair{node.inverse_mass, node.inverse_mass}, factors, &state.velocity[dof],
+              &state.displacement[dof]);
   }
   std::copy_n(workspace.force.begin() + static_cast<std::ptrdiff_t>(tile.interior.size()),
               tile.shared_nodes(), slot_force_.begin() + static_cast<std::ptrdiff_t>(tile.first_slot));

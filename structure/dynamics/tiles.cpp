@@ -12,7 +12,7 @@ namespace fissura::structure {
 
 namespace {
 
-std::vector<bool> shared_nodes(const Mesh& mesh, const std::vector<Tile>& tiles,
+std::vector<bool> shared_nodes(const Mesh& mesh, const Body& body, const std::vector<Tile>& tiles,
                                const std::vector<NodeIndex>& joint_nodes) {
   constexpr auto untouched = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> tile_of_node(mesh.position.size(), untouched);
@@ -24,6 +24,8 @@ std::vector<bool> shared_nodes(const Mesh& mesh, const std::vector<Tile>& tiles,
         if (tile_of_node[node] != t) shared[node] = true;
       }
   for (const NodeIndex node : joint_nodes) shared[node] = true;
+  for (NodeIndex node = 0; node < shared.size(); ++node)
+    if (body.inverse_mass[node][0] == 0 || body.inverse_mass[node][1] == 0) shared[node] = true;
   return shared;
 }
 
@@ -38,7 +40,7 @@ void number_nodes(Tile& tile, const Mesh& mesh, const Body& body, const std::vec
   tile.interior.clear();
   for (auto node = tile.nodes.begin(); node != first_shared; ++node)
     tile.interior.push_back(
-        {body.inverse_mass[*node], {body.external_force[2 * *node], body.external_force[2 * *node + 1]}});
+        {body.inverse_mass[*node][0], {body.external_force[2 * *node], body.external_force[2 * *node + 1]}});
   tile.position.clear();
   for (const NodeIndex node : tile.nodes) tile.position.push_back(mesh.position[node]);
 }
@@ -120,7 +122,7 @@ Tiles build_tiles(const Mesh& mesh, const Body& body, const std::vector<NodeInde
     for (std::size_t element = begin; element < end; ++element)
       tile.elements.push_back(static_cast<ElementIndex>(element));
   }
-  const auto shared = shared_nodes(mesh, tiles.tile, joint_nodes);
+  const auto shared = shared_nodes(mesh, body, tiles.tile, joint_nodes);
   for (Tile& tile : tiles.tile) build_tile(tile, mesh, body, shared);
   link_tiles(tiles, shared, joint_nodes);
   return tiles;
@@ -128,7 +130,7 @@ Tiles build_tiles(const Mesh& mesh, const Body& body, const std::vector<NodeInde
 
 void rebuild_tiles(Tiles& tiles, const Mesh& mesh, const Body& body,
                    const std::vector<NodeIndex>& joint_nodes, const std::vector<std::size_t>& touched) {
-  const auto shared = shared_nodes(mesh, tiles.tile, joint_nodes);
+  const auto shared = shared_nodes(mesh, body, tiles.tile, joint_nodes);
   std::vector<bool> stale(tiles.tile.size(), false);
   for (const std::size_t t : touched) stale[t] = true;
   for (std::size_t t = 0; t < tiles.tile.size(); ++t)
@@ -155,7 +157,7 @@ double streamed_bytes_per_element(const Tiles& tiles) {
   constexpr std::size_t copied = sizeof(NodeIndex) + sizeof(Point) + vector;  // displacement read
   constexpr std::size_t moved = vector + 2 * vector + sizeof(InteriorNode);   // u written, v read and written
   constexpr std::size_t slot = vector + vector + sizeof(std::uint32_t);       // force written and read
-  constexpr std::size_t shared = sizeof(NodeIndex) + 2 * vector + 2 * vector + sizeof(InteriorNode);
+  constexpr std::size_t shared = sizeof(NodeIndex) + 2 * vector + 2 * vector + 2 * vector;
   std::size_t bytes = slot * tiles.slots + shared * tiles.shared.node.size(), elements = 0;
   for (const Tile& tile : tiles.tile) {
     bytes += sizeof(ElementGroup) * tile.groups.size() +

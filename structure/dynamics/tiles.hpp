@@ -30,7 +30,7 @@ struct ElementGroup {
 
 /// What a tile needs to move one of its interior nodes.
 struct InteriorNode {
-  std::array<double, 2> inverse_mass;    ///< [m/kg]
+  double inverse_mass;                   ///< [m/kg]
   std::array<double, 2> external_force;  ///< [N/m]
 };
 
@@ -60,7 +60,7 @@ struct NodeSlots {
 
 struct Tiles {
   std::vector<Tile> tile;
-  NodeSlots shared;  ///< nodes of several tiles that are no joint nodes, ascending
+  NodeSlots shared;  ///< nodes of several tiles and held nodes, but for joint nodes; ascending
   NodeSlots joint;   ///< the joint nodes, in the order given
   std::size_t slots = 0;
 };
