@@ -2,11 +2,11 @@
 #include "coupler/cli/run_worker.hpp"
 
 #include <fmt/format.h>
-#include <openssl/rand.h>
 
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <random>
 
 #include "common/case/case_json.hpp"
 #include "common/log.hpp"
@@ -26,8 +26,9 @@ using Clock = std::chrono::steady_clock;
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 RunId random_run_id() {
+  std::random_device source;
   RunId run;
-  ENSURE(RAND_bytes(run.data(), static_cast<int>(run.size())) == 1);
+  for (std::uint8_t& byte : run) byte = static_cast<std::uint8_t>(source());
   return run;
 }
 
