@@ -42,9 +42,15 @@ inline CornerForces corner_forces(const EdgeStrain& edge, const InPlane<Lanes>& 
 
 inline void add_corner_forces(std::array<double, 2>* force, const std::uint16_t* a, const std::uint16_t* b,
                               const std::uint16_t* c, const CornerForces& f) {
-  add_forces(force, a, f.x0, f.y0);
-  add_forces(force, b, f.x1, f.y1);
-  add_forces(force, c, f.x2, f.y2);
+  const PairLanes at_a = interleave(f.x0, f.y0), at_b = interleave(f.x1, f.y1), at_c = interleave(f.x2, f.y2);
+  add_quad<0>(force, a, at_a);
+  add_quad<0>(force, b, at_b);
+  add_quad<0>(force, c, at_c);
+  if constexpr (lanes == 8) {
+    add_quad<lanes - 4>(force, a, at_a);
+    add_quad<lanes - 4>(force, b, at_b);
+    add_quad<lanes - 4>(force, c, at_c);
+  }
 }
 
 struct ElasticOnly {

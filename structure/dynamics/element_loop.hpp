@@ -17,7 +17,7 @@
 ///
 /// First pass: every element as if undamaged, in lanes. With failure on, elements that leave the elastic
 /// range or already have a damage record are put on a list with zero force instead; the second pass computes
-/// those one by one. Forces are added in the order of the elements in the tile, first pass before second.
+/// those one by one. Forces are added in a fixed order, first pass before second.
 namespace fissura::structure {
 
 /// A thread's own copy of the nodes of the tile it is working on. Stays in the first-level cache.

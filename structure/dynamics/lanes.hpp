@@ -93,32 +93,31 @@ inline Lanes load_floats(const float* value) {
   return __builtin_convertvector(floats, Lanes);
 }
 
-/// Adds (x, y) of each lane to the force of its node, in ascending order of the lanes.
-inline void add_forces(std::array<double, 2>* force, const std::uint16_t* node, const Lanes& x,
-                       const Lanes& y) {
+/// The (x, y) of each lane side by side: those of the even lanes, those of the odd ones.
+struct PairLanes {
+  Lanes even, odd;
+};
+
+inline PairLanes interleave(const Lanes& x, const Lanes& y) {
+#ifdef __AVX512F__
+  return {__builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14),
+          __builtin_shufflevector(x, y, 1, 9, 3, 11, 5, 13, 7, 15)};
+#else
+  return {__builtin_shufflevector(x, y, 0, 4, 2, 6), __builtin_shufflevector(x, y, 1, 5, 3, 7)};
+#endif
+}
+
+/// Adds the pairs of the four lanes from `first` on to the forces of their nodes, in ascending order.
+template <std::size_t first>
+void add_quad(std::array<double, 2>* force, const std::uint16_t* node, const PairLanes& pairs) {
   const auto add = [&](std::size_t lane, const Pair& value) {
     double* sum = force[node[lane]].data();
     store_pair(sum, load_pair(sum) + value);
   };
-#ifdef __AVX512F__
-  const Lanes even = __builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14);
-  const Lanes odd = __builtin_shufflevector(x, y, 1, 9, 3, 11, 5, 13, 7, 15);
-  add(0, __builtin_shufflevector(even, even, 0, 1));
-  add(1, __builtin_shufflevector(odd, odd, 0, 1));
-  add(2, __builtin_shufflevector(even, even, 2, 3));
-  add(3, __builtin_shufflevector(odd, odd, 2, 3));
-  add(4, __builtin_shufflevector(even, even, 4, 5));
-  add(5, __builtin_shufflevector(odd, odd, 4, 5));
-  add(6, __builtin_shufflevector(even, even, 6, 7));
-  add(7, __builtin_shufflevector(odd, odd, 6, 7));
-#else
-  const Lanes even = __builtin_shufflevector(x, y, 0, 4, 2, 6),
-              odd = __builtin_shufflevector(x, y, 1, 5, 3, 7);
-  add(0, __builtin_shufflevector(even, even, 0, 1));
-  add(1, __builtin_shufflevector(odd, odd, 0, 1));
-  add(2, __builtin_shufflevector(even, even, 2, 3));
-  add(3, __builtin_shufflevector(odd, odd, 2, 3));
-#endif
+  add(first, __builtin_shufflevector(pairs.even, pairs.even, first, first + 1));
+  add(first + 1, __builtin_shufflevector(pairs.odd, pairs.odd, first, first + 1));
+  add(first + 2, __builtin_shufflevector(pairs.even, pairs.even, first + 2, first + 3));
+  add(first + 3, __builtin_shufflevector(pairs.odd, pairs.odd, first + 2, first + 3));
 }
 
 /// One byte per lane, as a number: 0 if no lane is marked.
