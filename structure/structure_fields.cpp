@@ -43,10 +43,8 @@ Message structure_fields(const StructureModel& model, const Geometry& geometry, 
   return fields;
 }
 
-nlohmann::json energies(const StructureModel& model, const Geometry& geometry, const StructureState& state) {
-  const double thickness = model.run_case.domain.thickness;
-  return {{"kinetic", thickness * kinetic_energy(geometry.body, state.body.velocity, state.mass_scaling.scale())},
-          {"strain", thickness * strain_energy(geometry.mesh, model.moduli, state.body.displacement)}};
+double strain_energy_of_body(const StructureModel& model, const Geometry& geometry, const StructureState& state) {
+  return model.run_case.domain.thickness * strain_energy(geometry.mesh, model.moduli, state.body.displacement);
 }
 
 }  // namespace fissura::structure

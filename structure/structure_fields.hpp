@@ -13,7 +13,7 @@ enum class MeshInReport { included, known };
 Message structure_fields(const StructureModel& model, const Geometry& geometry, const StructureState& state,
                          MeshInReport mesh);
 
-/// kinetic, strain [J], of the whole thickness.
-nlohmann::json energies(const StructureModel& model, const Geometry& geometry, const StructureState& state);
+/// Elastic energy of the change from in situ, whole thickness [J].
+double strain_energy_of_body(const StructureModel& model, const Geometry& geometry, const StructureState& state);
 
 }  // namespace fissura::structure

@@ -20,9 +20,8 @@ double seconds_between(Clock::time_point begin, Clock::time_point end) {
   return std::chrono::duration<double>(end - begin).count();
 }
 
-void require_finite(const Geometry& geometry, const StructureState& state, double time) {
-  const double energy = kinetic_energy(geometry.body, state.body.velocity, state.mass_scaling.scale());
-  if (!std::isfinite(energy))
+void require_finite(double kinetic_energy, double time) {
+  if (!std::isfinite(kinetic_energy))
     throw SolverError(fmt::format("the motion of the rock is no longer finite at {} s: lower dynamics.safety_factor", time));
 }
 
@@ -52,7 +51,8 @@ std::uint64_t StructureRun::advance(double begin, double end, StructureState& st
     loop_times_.joints += seconds_between(middle, Clock::now());
     note_progress("explicit steps");
   }
-  require_finite(geometry_, state, end);
+  kinetic_energy_ = structure::kinetic_energy(geometry_.body, state.body.velocity, step.mass_scale);
+  require_finite(kinetic_energy_, end);
   return steps;
 }
 

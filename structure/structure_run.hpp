@@ -27,6 +27,9 @@ class StructureRun {
   /// Throws SolverError if the motion is no longer finite.
   std::uint64_t advance(double begin, double end, StructureState& state);
 
+  /// At the end of the last advance, with the scaled mass, per unit thickness [J/m].
+  [[nodiscard]] double kinetic_energy() const { return kinetic_energy_; }
+
   [[nodiscard]] const LoopTimes& loop_times() const { return loop_times_; }
 
  private:
@@ -35,6 +38,7 @@ class StructureRun {
   CentralDifference dynamics_;
   JointStep joints_;
   LoopTimes loop_times_;
+  double kinetic_energy_ = 0;
 };
 
 /// At a coupling time [s]: follows the pumping with the mass scale.

@@ -61,7 +61,9 @@ Message StructureSolver::advance(const Message& command) {
   Message response(MessageType::response);
   describe_state(response);
   response.body["steps"] = steps;
-  response.body["energy"] = energies(*model_, geometry_, *state_);
+  response.body["energy"]["kinetic"] = model_->run_case.domain.thickness * run_->kinetic_energy();
+  if (command.value<bool>("strain_energy"))
+    response.body["energy"]["strain"] = strain_energy_of_body(*model_, geometry_, *state_);
   if (const std::optional<Insertion> proposal = growth())
     response.body["insertion"] = insertion_to_json(*proposal);
   return response;

@@ -36,6 +36,19 @@ void spoil(Message& message) {
   }
 }
 
+/// Adds the wall time of its life to a sum.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& sum) : sum_(sum) {}
+  ~Stopwatch() { sum_ += Seconds(std::chrono::steady_clock::now() - start_).count(); }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double& sum_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
 class Session {
  public:
   Session(Role role, const ParticipantOptions& options, Solver& solver)
@@ -126,6 +139,7 @@ class Session {
 
   Next serve(Message command) {
     interval_ = command.interval;
+    const Stopwatch work(work_seconds_);
     switch (command.type) {
       case MessageType::advance: advance(command); return Next::go_on;
       case MessageType::insert: insert(command); return Next::go_on;
@@ -149,6 +163,7 @@ class Session {
       case MessageType::finish: {
         Message bye;
         bye.body["figures"] = solver_.finish();
+        bye.body["figures"]["work_seconds"] = work_seconds_;
         reply(MessageType::bye, std::move(bye));
         return Next::end;
       }
@@ -221,6 +236,7 @@ class Session {
   Seconds deadline_;
   FractureNetwork network_;
   std::uint64_t interval_ = 0;
+  double work_seconds_ = 0;  ///< wall time between command and reply
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "common/case/units.hpp"
 #include "common/exchange/fault_point.hpp"
 #include "coupler/cli/run_worker.hpp"
 #include "coupler/launch/supervisor.hpp"
@@ -35,18 +36,26 @@ Expectations expectations_of(const CaseReading& reading, CaseForm form) {
   return read_expectations(file, reading.value.time.end, judgeable_columns());
 }
 
+double end_of_run(const RunOptions& options, const Case& run_case) {
+  if (!options.until) return run_case.time.end;
+  const double until = input::in_si(*options.until, input::dimension::time);
+  if (!(until > 0 && until <= run_case.time.end))
+    throw Error(ExitCode::command_line,
+                fmt::format("--until {}: expected a time in (0, {}] s", *options.until, run_case.time.end));
+  return until;
+}
+
 }  // namespace
 
 PreparedRun prepare_run(const RunOptions& options) {
-  CaseSource source = options.source;
-  if (options.until) source.overrides.push_back("time.end=\"" + *options.until + "\"");
   if (options.fault) (void)parse_fault_plan(*options.fault);
   PreparedRun run;
-  run.reading = read_case(source);
+  run.reading = read_case(options.source);
+  run.end = end_of_run(options, run.reading.value);
   // A run that is cut short cannot be judged by what it should give at its end.
-  if (!options.until) run.expectations = expectations_of(run.reading, source.form);
+  if (!options.until) run.expectations = expectations_of(run.reading, options.source.form);
   check_references(run.expectations);
-  run.directory = options.directory.value_or(default_directory(run.reading, source.form));
+  run.directory = options.directory.value_or(default_directory(run.reading, options.source.form));
   RunDirectory::check(run.directory);
   run.structure_command = options.structure_command.value_or(sibling("structure"));
   run.network_command = options.network_command.value_or(sibling("network"));

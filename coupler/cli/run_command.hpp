@@ -17,7 +17,7 @@ struct RunOptions {
   std::optional<std::filesystem::path> directory;  ///< default: runs/NAME or runs/NAME-short
   std::optional<std::string> network_command;      ///< default: the network beside this program
   std::optional<std::string> structure_command;
-  std::optional<std::string> until;                ///< end of the run, e.g. "2 s"
+  std::optional<std::string> until;                ///< earlier end of the run, e.g. "2 s"
   std::optional<std::string> fault;                ///< fault plan, see fault_point.hpp
   int threads = 0;                                 ///< of the structure; 0: every core
   bool json = false;                               ///< print summary.json instead of the table
@@ -29,6 +29,7 @@ struct PreparedRun {
   CaseReading reading;
   Expectations expectations;
   std::filesystem::path directory;
+  double end = 0;  ///< of the run, at most that of the case [s]
   std::string structure_command, network_command;
   int threads = 1;
   bool json = false;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -81,7 +82,7 @@ class Worker {
   int execute() {
     try {
       start();
-      StaggeredScheme scheme(run_.reading.value, trio_, record_, status_);
+      StaggeredScheme scheme(run_.reading.value, run_.end, trio_, record_, status_);
       const SchemeOutcome outcome = scheme.run();
       figures_.insertions = outcome.insertions;
       status_.show(record_.history().size(), "finish");
@@ -128,15 +129,17 @@ class Worker {
     figures_.nodes = structure.value("nodes", std::uint64_t{0});
     figures_.wall.element = structure.value("element_seconds", 0.0);
     figures_.wall.joint = structure.value("joint_seconds", 0.0);
+    figures_.wall.structure = structure.value("work_seconds", 0.0);
+    figures_.wall.network = figures[static_cast<std::size_t>(Role::network)].value("work_seconds", 0.0);
   }
 
-  /// Wall time is told per process: what the coupler waited for an answer belongs to the one that answered.
+  /// While the coupler waits for an answer, either that participant is at work or a message is on its way.
   nlohmann::ordered_json summary(const Verdict& verdict) {
     WallTimes& wall = figures_.wall;
     wall.total = since(start_);
-    wall.structure = trio_.waited(Role::structure);
-    wall.network = trio_.waited(Role::network);
-    wall.coupler = wall.total - wall.structure - wall.network;
+    const double waited = trio_.waited(Role::structure) + trio_.waited(Role::network);
+    wall.coupler = wall.total - waited;
+    wall.waiting = std::max(0.0, waited - wall.structure - wall.network);
     return summary_json(verdict, record_.history(), figures_);
   }
 

@@ -60,7 +60,8 @@ void Trio::send(Role role, Message command) {
   try {
     channel_.send(*target.peer, std::move(command));
   } catch (const ProtocolError& fault) {
-    // A peer that has just died cannot be written to; its end is the better reason.
+    // A peer that has just died cannot be written to: what it said last, or how it ended, is the better reason.
+    hear_last_words();
     watch_processes();
     fail(ExitCode::protocol_violation, target, fault.what());
   }
@@ -205,13 +206,7 @@ void Trio::watch_processes() {
   for (Participant& each : participants_) {
     if (!each.process || each.said_bye || ending_) continue;
     if (const std::optional<ProcessEnd> end = each.process->end()) {
-      // What it still managed to say goes before how it ended.
-      for (;;) {
-        CouplerChannel::Event event = channel_.wait(Seconds(0.02), {});
-        auto* received = std::get_if<CouplerChannel::Received>(&event);
-        if (received == nullptr) break;
-        handle(std::move(*received));
-      }
+      hear_last_words();
       const bool silent = !end->signal && !each.peer;
       fail(ExitCode::participant_died, each, end->sentence() + (silent ? " before it introduced itself" : ""));
     }
@@ -222,6 +217,16 @@ void Trio::watch_processes() {
     } else if (since(*each.stopped_since) > stop_tolerance) {
       fail(ExitCode::participant_unresponsive, each, "is stopped by a signal");
     }
+  }
+}
+
+// What a participant still managed to say goes before how it ended.
+void Trio::hear_last_words() {
+  for (;;) {
+    CouplerChannel::Event event = channel_.wait(Seconds(0.02), {});
+    auto* received = std::get_if<CouplerChannel::Received>(&event);
+    if (received == nullptr) return;
+    handle(std::move(*received));
   }
 }
 

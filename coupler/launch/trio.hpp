@@ -89,6 +89,7 @@ class Trio {
   void greet(PeerNumber peer, const Message& hello);
   void reject(PeerNumber peer, const std::string& reason);
   void watch_processes();
+  void hear_last_words();
   void check_silence(Participant& waiting_for, double deadline);
   void keep_alive();
   [[nodiscard]] std::string situation(const Participant& participant) const;

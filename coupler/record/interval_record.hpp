@@ -40,7 +40,7 @@ struct IntervalRecord {
   int newton_iterations = 0;
   int halvings = 0;             ///< how often the network halved the interval
   double kinetic_energy = 0;    ///< [J] with the scaled mass
-  double strain_energy = 0;     ///< [J], of the change from in situ
+  double strain_energy = 0;     ///< [J], of the change from in situ, at the last field report
   double mass_scale = 1;        ///< [-]
   double stable_step = 0;       ///< [s]
 };

@@ -80,11 +80,13 @@ Message advance_network(const CouplingInterval& interval, std::uint64_t revision
 }
 
 Message advance_structure(const CouplingInterval& interval, std::uint64_t revision,
-                          const std::vector<PressureRamp>& ramps) {
+                          const std::vector<PressureRamp>& ramps, StrainEnergy strain_energy) {
   Message command(MessageType::advance);
   command.interval = interval.index;
   command.revision = revision;
-  command.body = {{"begin", interval.begin}, {"end", interval.end}};
+  command.body = {{"begin", interval.begin},
+                  {"end", interval.end},
+                  {"strain_energy", strain_energy == StrainEnergy::wanted}};
   std::vector<double> pressure_begin, pressure_end, aperture_begin, aperture_end, stiffness;
   for (const PressureRamp& ramp : ramps) {
     pressure_begin.push_back(ramp.pressure_begin);

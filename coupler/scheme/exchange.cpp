@@ -88,7 +88,7 @@ StructureResponse read_response(const Message& message, const FractureNetwork& n
   response.steps = message.value<int>("steps");
   const auto energy = message.value<nlohmann::json>("energy");
   response.kinetic_energy = entry<double>(energy, "kinetic");
-  response.strain_energy = entry<double>(energy, "strain");
+  if (energy.contains("strain")) response.strain_energy = entry<double>(energy, "strain");
   if (const auto proposal = message.body.find("insertion"); proposal != message.body.end())
     response.proposal = insertion_from_json(*proposal);
   return response;

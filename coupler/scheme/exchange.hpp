@@ -22,7 +22,8 @@ struct StructureResponse {
   double stable_step = 0;                ///< [s]
   double mass_scale = 1;
   int steps = 0;                         ///< RESPONSE only, like the rest
-  double kinetic_energy = 0, strain_energy = 0;  ///< [J]
+  double kinetic_energy = 0;                     ///< [J]
+  std::optional<double> strain_energy;           ///< [J], if it was asked for
   std::optional<Insertion> proposal;
 };
 

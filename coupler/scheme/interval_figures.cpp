@@ -92,7 +92,6 @@ IntervalRecord interval_figures(const CouplingInterval& interval, const Fracture
   record.newton_iterations = answer.newton_iterations;
   record.halvings = answer.halvings;
   record.kinetic_energy = structure.kinetic_energy;
-  record.strain_energy = structure.strain_energy;
   record.mass_scale = structure.mass_scale;
   record.stable_step = structure.stable_step;
   return record;

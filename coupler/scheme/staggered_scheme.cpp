@@ -36,15 +36,15 @@ double least_bulk_modulus(const std::vector<Fluid>& fluids) {
 
 }  // namespace
 
-StaggeredScheme::StaggeredScheme(const Case& run_case, Trio& trio, RunRecord& record, StatusPage& status)
+StaggeredScheme::StaggeredScheme(const Case& run_case, double end, Trio& trio, RunRecord& record, StatusPage& status)
     : case_(run_case),
       trio_(trio),
       record_(record),
       status_(status),
       fault_(fault_plan_of_environment("coupler")),
-      clock_(run_case.time.end),
+      clock_(end),
       interval_control_(run_case.coupling, run_case.mesh.fracture_size),
-      progress_(run_case.time.end),
+      progress_(end),
       events_(pump_events(run_case.injection)),
       fluid_bulk_modulus_(least_bulk_modulus(run_case.fluids)) {}
 
@@ -57,7 +57,7 @@ SchemeOutcome StaggeredScheme::run() {
     check_ledger(answer);
     record_interval(interval, answer, response);
     accept(interval, answer, std::move(response));
-    if (report_is_due()) report(answer);
+    if (report_is_due(interval.end)) report(answer);
     if (structure_.proposal) insert(*structure_.proposal);                  // the fracture grows (Sect. 3.8)
   }
   return {clock_.finished() ? 0 : status_.stop_signal(), insertions_};
@@ -107,7 +107,10 @@ StructureResponse StaggeredScheme::advance_structure_over(const CouplingInterval
           : profit_ramps(structure_, answer, coupling.fracture_normal_stiffness, fluid_bulk_modulus_,
                          case_.network.minimum_aperture);
   const Message response = trio_.request(
-      Role::structure, advance_structure(interval, network_.revision(), ramps), MessageType::response);
+      Role::structure,
+      advance_structure(interval, network_.revision(), ramps,
+                        report_is_due(interval.end) ? StrainEnergy::wanted : StrainEnergy::not_wanted),
+      MessageType::response);
   return read_response(response, network_, case_.pressure_range);
 }
 
@@ -119,7 +122,9 @@ void StaggeredScheme::check_ledger(const NetworkAnswer& answer) const {
 
 void StaggeredScheme::record_interval(const CouplingInterval& interval, const NetworkAnswer& answer,
                                       const StructureResponse& response) {
-  const IntervalRecord figures = interval_figures(interval, network_, inlet_, response, answer);
+  IntervalRecord figures = interval_figures(interval, network_, inlet_, response, answer);
+  if (response.strain_energy) strain_energy_ = *response.strain_energy;
+  figures.strain_energy = strain_energy_;
   record_.interval(figures);
   progress_.show(figures);
 }
@@ -164,8 +169,8 @@ void StaggeredScheme::insert(const Insertion& insertion) {
   record_.topology(network_);
 }
 
-bool StaggeredScheme::report_is_due() const {
-  return clock_.finished() || clock_.time() >= static_cast<double>(reports_ + 1) * case_.output.interval;
+bool StaggeredScheme::report_is_due(double time) const {
+  return time >= clock_.end() || time >= static_cast<double>(reports_ + 1) * case_.output.interval;
 }
 
 void StaggeredScheme::report(const NetworkAnswer& answer) {

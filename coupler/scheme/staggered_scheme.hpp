@@ -27,8 +27,8 @@ struct SchemeOutcome {
 /// The network leads, the structure follows: THE LOOP of the coupler.
 class StaggeredScheme {
  public:
-  /// All arguments must outlive this. The trio has been started.
-  StaggeredScheme(const Case& run_case, Trio& trio, RunRecord& record, StatusPage& status);
+  /// Runs to `end` [s]. All references must outlive this. The trio has been started.
+  StaggeredScheme(const Case& run_case, double end, Trio& trio, RunRecord& record, StatusPage& status);
 
   /// Runs to the end of the case. Throws ParticipantFailure or another Error at the first fault, with the record written up to the last
   /// complete interval.
@@ -45,7 +45,7 @@ class StaggeredScheme {
   void accept(const CouplingInterval& interval, const NetworkAnswer& answer, StructureResponse&& response);
   void insert(const Insertion& insertion);
   void report(const NetworkAnswer& answer);
-  [[nodiscard]] bool report_is_due() const;
+  [[nodiscard]] bool report_is_due(double time) const;
 
   const Case& case_;
   Trio& trio_;
@@ -64,6 +64,7 @@ class StaggeredScheme {
   std::vector<double> network_pressure_; ///< of the last interval [Pa]; profit2016 carries it
   std::vector<double> average_rate_;     ///< of the aperture in the last interval [m/s]; profit2016
   Inlet inlet_;
+  double strain_energy_ = 0;             ///< at the last report [J]
   std::uint64_t reports_ = 0;
   std::uint64_t insertions_ = 0;
 };

@@ -69,12 +69,11 @@ Json ledger_json(const History& history) {
 }
 
 Json wall_json(const WallTimes& wall) {
-  const double loops = wall.element + wall.joint + wall.node;
+  const double loops = wall.element + wall.joint;
   return {{"total_s", wall.total},
           {"structure_s", wall.structure},
           {"element_s", wall.element},
           {"joint_s", wall.joint},
-          {"node_s", wall.node},
           {"network_s", wall.network},
           {"coupler_s", wall.coupler},
           {"waiting_s", wall.waiting},

@@ -16,9 +16,8 @@ namespace fissura::coupler {
 struct WallTimes {
   double total = 0;      ///< from the start of the coupler's work to its end
   double structure = 0;  ///< the structure at work
-  double element = 0;    ///< of `structure`: element loop
-  double joint = 0;      ///< of `structure`: joint loop
-  double node = 0;       ///< of `structure`: node loop
+  double element = 0;    ///< of `structure`: element loop with the nodes it moves
+  double joint = 0;      ///< of `structure`: joint loop with its nodes
   double network = 0;    ///< the network at work
   double coupler = 0;    ///< the coupler at work
   double waiting = 0;    ///< of all three at once: messages on their way
