@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "structure/dynamics/lanes.hpp"
 #include "structure/material/crack_band.hpp"
 #include "structure/material/failure_trigger.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "structure/dynamics/damage_state.hpp"
-#include "structure/dynamics/lanes.hpp"
+#include "structure/dynamics/node_record.hpp"
 #include "structure/dynamics/tiles.hpp"
 #include "structure/material/elasticity.hpp"
 #include "structure/material/rankine_damage.hpp"

@@ -7,9 +7,13 @@
 #include <cstdint>
 #include <cstring>
 
-/// Vectors of `lanes` doubles (vector extension of GCC and Clang): each lane is computed as a scalar would
-/// be, so a result does not depend on the width. The width is that of the machine's registers, in a group of
-/// eight.
+#include "structure/dynamics/node_record.hpp"
+#include "structure/dynamics/pair.hpp"
+
+/// Vectors of `lanes` doubles (vector extension of GCC and Clang). The width suits the registers of the
+/// machine; each lane is computed as a scalar would be and forces are added four lanes at a time, so no
+/// result depends on the width. Included by element_loop.cpp only: another file may be compiled for other
+/// registers.
 namespace fissura::structure {
 
 #ifdef __AVX512F__
@@ -19,28 +23,10 @@ constexpr std::size_t lanes = 4;
 #endif
 
 using Quad = double __attribute__((vector_size(4 * sizeof(double))));
-using Pair = double __attribute__((vector_size(2 * sizeof(double))));
 using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
 using FloatLanes = float __attribute__((vector_size(lanes * sizeof(float))));
 using MarkBytes = std::int8_t __attribute__((vector_size(lanes)));
 using LaneMask = std::int64_t __attribute__((vector_size(lanes * sizeof(std::int64_t))));
-
-/// The x and y component of something, from two neighbouring values in memory.
-inline Pair load_pair(const double* values) {
-  Pair pair;
-  std::memcpy(&pair, values, sizeof(pair));
-  return pair;
-}
-
-inline void store_pair(double* values, const Pair& pair) {
-  std::memcpy(values, &pair, sizeof(pair));
-}
-
-/// What an element needs to know of a node, and the force on it.
-struct alignas(32) NodeRecord {
-  double x, y;    ///< [m]
-  double ux, uy;  ///< [m]
-};
 
 /// Records of `lanes` nodes, one vector per member.
 struct RecordLanes {

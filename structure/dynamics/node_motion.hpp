@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "structure/dynamics/lanes.hpp"
+#include "structure/dynamics/pair.hpp"
 
 /// Central differences of one node, component by component, with lumped mass and Cundall's local damping
 /// (Cundall 1987):
