@@ -4,9 +4,9 @@
 ///
 /// Run it on a machine with nothing else to do:
 ///   cmake --build build/release --target structure_kernel
-///   GLIBC_TUNABLES=glibc.malloc.hugetlb=1 build/release/bin/structure_kernel
-/// The variable lets all columns use large pages; without it the largest mesh suffers most, the tiles more
-/// than the naive loop.
+///   GLIBC_TUNABLES=glibc.malloc.hugetlb=1 GOMP_SPINCOUNT=1000 build/release/bin/structure_kernel
+/// The first variable lets all columns use large pages; without it the largest mesh suffers, the tiles more
+/// than the naive loop. The second keeps two threads useful when a core is shared.
 ///
 /// A jittered mesh of edge length `edge` carries an elastic wave. All columns of a row are measured in turns
 /// in the same run: the tiles on one and two threads, the naive loop in Hilbert order and in random order,
