@@ -165,6 +165,7 @@ class Session {
         bye.body["figures"] = solver_.finish();
         bye.body["figures"]["work_seconds"] = work_seconds_;
         reply(MessageType::bye, std::move(bye));
+        wait_for_release();
         return Next::end;
       }
       default:
@@ -211,6 +212,18 @@ class Session {
     channel_.send(std::move(message));
   }
 
+  // What is on its way when a process ends may be lost with its connection, so the last word is only over when the coupler has it.
+  void wait_for_release() {
+    constexpr Seconds longest{2.0};
+    const auto start = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() - start < longest) {
+      const auto event = channel_.receive(Seconds(0.1));
+      if (std::holds_alternative<ConnectionLost>(event)) return;
+      const Message* message = std::get_if<Message>(&event);
+      if (message != nullptr && (message->type == MessageType::bye || message->type == MessageType::fail)) return;
+    }
+  }
+
   int report_failure(ExitCode code, const std::string& reason) {
     log::error(fmt::format("interval {}, phase {}: {}", interval_, last_phase(), reason));
     set_progress_report({});
@@ -222,6 +235,7 @@ class Session {
                       {"reason", reason},
                       {"exit_code", static_cast<int>(code)}};
       channel_.send(std::move(failure));
+      wait_for_release();
     } catch (const std::exception& second) {
       log::error(fmt::format("the coupler could not be told: {}", second.what()));
     }

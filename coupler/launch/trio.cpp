@@ -14,6 +14,7 @@ namespace {
 constexpr Seconds tick{0.05};
 constexpr Seconds keep_alive_interval{1.0};
 constexpr double stop_tolerance = 1.5;   // wall seconds a participant may be stopped
+constexpr double last_words = 0.1;       // wall seconds in which a message of a process that ended may still arrive
 constexpr double farewell = 1.0;         // wall seconds a participant may take to end after being told
 
 double since(std::chrono::steady_clock::time_point start) {
@@ -165,6 +166,7 @@ void Trio::handle(CouplerChannel::Received&& received) {
     } else {
       each.said_bye = message.type == MessageType::bye;
       each.answer = std::move(message);
+      if (each.said_bye) channel_.send(received.peer, Message(MessageType::bye));
     }
     return;
   }
@@ -222,11 +224,10 @@ void Trio::watch_processes() {
 
 // What a participant still managed to say goes before how it ended.
 void Trio::hear_last_words() {
-  for (;;) {
-    CouplerChannel::Event event = channel_.wait(Seconds(0.02), {});
-    auto* received = std::get_if<CouplerChannel::Received>(&event);
-    if (received == nullptr) return;
-    handle(std::move(*received));
+  const Clock::time_point start = Clock::now();
+  while (since(start) < last_words) {
+    CouplerChannel::Event event = channel_.wait(tick, {});
+    if (auto* received = std::get_if<CouplerChannel::Received>(&event)) handle(std::move(*received));
   }
 }
 

@@ -180,9 +180,8 @@ def serve(channel):
             channel.send(FIELDS, dict(geometry=revision), [("pressure", "Pa", solver.pressure)], interval, revision)
         elif kind == FINISH:
             channel.send(BYE, dict(figures=dict(newton_iterations=solver.iterations)), (), interval, revision)
-            return 0
-        elif kind in (REJECT, FAIL):
-            return {REJECT: 13, FAIL: 20}[kind]
+        elif kind in (BYE, REJECT, FAIL):
+            return {BYE: 0, REJECT: 13, FAIL: 20}[kind]
         elif kind != PROGRESS:
             raise Refusal(22, f"flow_solver.py cannot answer message type {kind} for revision {revision}")
 
