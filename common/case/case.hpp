@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -192,10 +191,6 @@ struct Participants {
   std::string network = "fissura";
 };
 
-struct Checkpoint {
-  std::optional<double> interval;  ///< simulated time between checkpoints [s]; none: no checkpoints
-};
-
 struct Case {
   int schema = 1;
   std::string title;
@@ -217,7 +212,6 @@ struct Case {
   PressureRange pressure_range;
   Exchange exchange;
   Participants participants;
-  Checkpoint checkpoint;
 };
 
 /// Effective tensile strength at element size h: the strength is lowered, never the energy, where the

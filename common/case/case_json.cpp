@@ -55,16 +55,6 @@ void from_json(const nlohmann::json& json, CouplingScheme& value) {
   value = value_of(json, coupling_schemes);
 }
 
-void to_json(nlohmann::json& json, const Checkpoint& checkpoint) {
-  json = nlohmann::json{{"interval", nullptr}};
-  if (checkpoint.interval) json["interval"] = *checkpoint.interval;
-}
-void from_json(const nlohmann::json& json, Checkpoint& checkpoint) {
-  const nlohmann::json& interval = json.at("interval");
-  checkpoint.interval.reset();
-  if (!interval.is_null()) checkpoint.interval = interval.get<double>();
-}
-
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeSpan, end)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Domain, width, height, thickness)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MeshControls, fracture_size, far_size, corridor, gradation, seed)
@@ -93,7 +83,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Exchange, endpoint)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Participants, network)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Case, schema, title, time, domain, mesh, rock, in_situ, boundary,
                                    fractures, fluids, leak_off, injection, coupling, dynamics, network,
-                                   output, deadlines, pressure_range, exchange, participants, checkpoint)
+                                   output, deadlines, pressure_range, exchange, participants)
 
 nlohmann::json case_to_json(const Case& value) {
   return value;

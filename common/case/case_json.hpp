@@ -6,7 +6,7 @@
 #include "common/case/case.hpp"
 
 /// The case as participants receive it: SI numbers, keys exactly the member names of case.hpp, enumerations
-/// as the words of case.toml, an absent checkpoint interval as null.
+/// as the words of case.toml.
 namespace fissura {
 
 /// dump() of the result is a canonical text of the effective case: equal cases give equal bytes.

@@ -22,7 +22,7 @@ void check_geometry(const Case& value, const SourceValue& document, FaultList& f
 void check_in_situ(const Case& value, const SourceValue& document, FaultList& faults);
 
 /// check_schedule.cpp: stages in order, from the begin of the run and within it, with known fluids; coupling,
-/// output and checkpoint intervals that fit the run.
+/// an output interval that fits the run.
 void check_schedule(const Case& value, const SourceValue& document, FaultList& faults);
 
 }  // namespace fissura::input

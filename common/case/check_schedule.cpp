@@ -44,7 +44,6 @@ class ScheduleCheck {
     const double interval = case_.coupling.maximum_interval;
     if (interval > 0) coupling_interval(interval);
     at_most_the_run("output.interval", case_.output.interval);
-    if (case_.checkpoint.interval) at_most_the_run("checkpoint.interval", *case_.checkpoint.interval);
   }
 
  private:

@@ -68,7 +68,6 @@ Case read_sections(input::TableReader& document, input::CaseFiles& files) {
   result.pressure_range = input::read_pressure_range(document);
   result.exchange = input::read_exchange(document);
   result.participants = input::read_participants(document);
-  result.checkpoint = input::read_checkpoint(document);
   document.refuse_unknown_keys();
   return result;
 }

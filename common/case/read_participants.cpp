@@ -39,13 +39,4 @@ Participants read_participants(TableReader& document) {
   return participants;
 }
 
-Checkpoint read_checkpoint(TableReader& document) {
-  Checkpoint checkpoint;
-  if (!document.has("checkpoint")) return checkpoint;
-  TableReader table = document.table("checkpoint");
-  checkpoint.interval = table.quantity("interval", dimension::time, positive);
-  table.refuse_unknown_keys();
-  return checkpoint;
-}
-
 }  // namespace fissura::input

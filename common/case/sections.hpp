@@ -49,6 +49,5 @@ PressureRange read_pressure_range(TableReader& document);
 // read_participants.cpp
 Exchange read_exchange(TableReader& document);
 Participants read_participants(TableReader& document);
-Checkpoint read_checkpoint(TableReader& document);
 
 }  // namespace fissura::input

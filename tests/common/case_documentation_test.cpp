@@ -39,9 +39,9 @@ TEST_CASE("every key of every table stands in docs/case_format.md", "[common][ca
       GENERATE("", "time.", "domain.", "mesh.", "rock.", "in_situ.", "in_situ.gradient.", "boundary.",
                "fracture[0].", "fracture[1].", "fluid[0].", "leak_off.", "injection.",
                "injection.perforation[0].", "injection.stage[0].", "coupling.", "dynamics.", "network.",
-               "output.", "deadlines.", "pressure_range.", "exchange.", "participants.", "checkpoint.");
+               "output.", "deadlines.", "pressure_range.", "exchange.", "participants.");
   const Folder folder;
-  folder.write("case.toml", valid_case + "[checkpoint]\ninterval = \"1 s\"\n");
+  folder.write("case.toml", valid_case);
   const std::vector<std::string> faults = faults_in(folder, {table + "qqq=1"});
   REQUIRE(faults.size() == 1);
   for (const std::string& key : keys_in(faults.front())) {

@@ -18,8 +18,6 @@ north = { kind = "displacement", value = ["0 m", "1 mm"], ramp = "1 s" }
 [coupling]
 scheme = "profit2016"
 fracture_normal_stiffness = "10 GPa/m"
-[checkpoint]
-interval = "3 s"
 )");
   return read_case({folder.path(), CaseForm::full, {}}).value;
 }
@@ -38,7 +36,6 @@ TEST_CASE("a case survives the way to a participant bit by bit", "[common][case]
   CHECK(received.boundary.east.value == std::array<double, 2>{1e6, -2e6});
   CHECK(received.coupling.scheme == CouplingScheme::profit2016);
   CHECK(received.injection.stages.at(1).control == StageControl::shut_in);
-  CHECK(received.checkpoint.interval == 3.0);
 }
 
 TEST_CASE("the JSON of a case has the member names of case.hpp as keys and SI numbers",
@@ -48,8 +45,6 @@ TEST_CASE("the JSON of a case has the member names of case.hpp as keys and SI nu
   CHECK(json.at("fluids").at(0).at("consistency_index") == 1.67e-3);
   CHECK(json.at("coupling").at("scheme") == "profit2016");
   CHECK(json.at("injection").at("stages").at(0).at("control") == "rate");
-  Case without_checkpoints;
-  CHECK(case_to_json(without_checkpoints).at("checkpoint").at("interval").is_null());
 }
 
 TEST_CASE("a case with a missing key, a wrong type or an unknown word breaks the protocol",

@@ -108,15 +108,14 @@ TEST_CASE("malformed case 41: an address that strangers can reach, without keys"
   CHECK(faults_of(valid_case + "[exchange]\nendpoint = \"tcp://127.0.0.1:*\"\n") == Lines{});
 }
 
-TEST_CASE("malformed case 42: checkpoints that are never, or always, due", "[common][case][malformed]") {
+TEST_CASE("malformed case 42: reports that are never, or always, due", "[common][case][malformed]") {
   SECTION("every 0 s")
-  check_addition_refused(
-      "[checkpoint]\ninterval = @\"0 s\"\n",
-      "checkpoint.interval: found \"0 s\", expected a time with its unit such as \"10 s\", greater than "
-      "0 s");
+  check_refused("interval = \"0.5 s\"", "interval = @\"0 s\"",
+                "output.interval: found \"0 s\", expected a time with its unit such as \"10 s\", greater than "
+                "0 s");
   SECTION("after the end")
-  check_addition_refused("[checkpoint]\ninterval = @\"11 s\"\n",
-                         "checkpoint.interval: found 11 s, expected at most the run, time.end = 10 s");
+  check_refused("interval = \"0.5 s\"", "interval = @\"11 s\"",
+                "output.interval: found 11 s, expected at most the run, time.end = 10 s");
 }
 
 TEST_CASE("malformed case 44: a case of a newer schema is refused without a word on keys it may well have",

@@ -29,7 +29,6 @@ TEST_CASE("a case is read in SI with tension positive", "[common][case]") {
   CHECK(value.injection.perforations.at(0).aperture == 10e-6);
   CHECK(value.injection.stages.at(1).control == StageControl::shut_in);
   CHECK(value.coupling.scheme == CouplingScheme::robin);
-  CHECK_FALSE(value.checkpoint.interval.has_value());
 }
 
 TEST_CASE("in situ: the maximum horizontal stress acts along its azimuth from north", "[common][case]") {
