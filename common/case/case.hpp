@@ -142,7 +142,7 @@ struct Coupling {
   int maximum_steps = 20;                ///< upper limit
   double front_fraction = 0.02;          ///< an interval is at most this times h / tip speed
   double drift_tolerance = 1e-3;         ///< eta of the interval rule [-]
-  double compliance_factor = 0.3;        ///< share of the static interface compliance used; see docs/coupling.md [-]
+  double compliance_factor = 0.3;        ///< share of the static interface compliance used; see docs/decisions/0001-robin-robin-coupling.md [-]
   double maximum_interval = 0;           ///< [s]; 0 = no further limit
   double fracture_normal_stiffness = 0;  ///< K_n [Pa/m] of profit2016; 0 = rigid
 };
