@@ -87,10 +87,13 @@ void CentralDifference::advance_tile(std::size_t t, State& state, const StepFact
                                      TileWorkspace& workspace) {
   const Tile& tile = tiles_.tile[t];
   gather_nodes(tile, state.displacement, workspace);
+  const std::size_t next = t + workspace_.size();
+  const ReadAhead ahead(next < tiles_.tile.size() ? &tiles_.tile[next] : nullptr, state.displacement.data(),
+                        state.velocity.data());
   if (law_)
-    add_damaging_forces(tile, moduli_, *law_, lowest_strength_, state.damage[t], workspace);
+    add_damaging_forces(tile, moduli_, *law_, lowest_strength_, ahead, state.damage[t], workspace);
   else
-    add_elastic_forces(tile, moduli_, workspace);
+    add_elastic_forces(tile, moduli_, ahead, workspace);
 
   for (std::size_t i = 0; i < tile.interior.size(); ++i) {
     const InteriorNode& node = tile.interior[i];

@@ -7,6 +7,7 @@
 
 #include "structure/dynamics/damage_state.hpp"
 #include "structure/dynamics/node_record.hpp"
+#include "structure/dynamics/read_ahead.hpp"
 #include "structure/dynamics/tiles.hpp"
 #include "structure/material/elasticity.hpp"
 #include "structure/material/rankine_damage.hpp"
@@ -32,11 +33,13 @@ struct TileWorkspace {
 void gather_nodes(const Tile& tile, const std::vector<double>& displacement, TileWorkspace& workspace);
 
 /// Adds the internal forces of elastic elements to `workspace.force`.
-void add_elastic_forces(const Tile& tile, const Elasticity& moduli, TileWorkspace& workspace);
+void add_elastic_forces(const Tile& tile, const Elasticity& moduli, const ReadAhead& ahead,
+                        TileWorkspace& workspace);
 
 /// The same with Rankine damage, which grows to the present strain. An element whose undamaged stress exceeds
 /// `lowest_strength` [Pa], at most the strength of the weakest element, is looked at in the second pass.
 void add_damaging_forces(const Tile& tile, const Elasticity& moduli, const RankineDamage& law,
-                         double lowest_strength, TileDamage& damage, TileWorkspace& workspace);
+                         double lowest_strength, const ReadAhead& ahead, TileDamage& damage,
+                         TileWorkspace& workspace);
 
 }  // namespace fissura::structure
