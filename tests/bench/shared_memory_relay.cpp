@@ -85,7 +85,8 @@ SharedMemoryRelay::Lane* SharedMemoryRelay::lane_of(std::size_t peer) const {
 }
 
 void SharedMemoryRelay::set_values(std::size_t count) {
-  values_.assign(count, 1.0);
+  count_ = count;
+  values_.assign(advance_arrays * count, 1.0);
 }
 
 void SharedMemoryRelay::step() {
