@@ -119,8 +119,10 @@ Tiles build_tiles(const Mesh& mesh, const Body& body, const std::vector<NodeInde
   for (std::size_t begin = 0; begin < mesh.elements.size(); begin += elements_per_tile) {
     const std::size_t end = std::min(begin + elements_per_tile, mesh.elements.size());
     Tile& tile = tiles.tile.emplace_back();
-    for (std::size_t element = begin; element < end; ++element)
-      tile.elements.push_back(static_cast<ElementIndex>(element));
+    const std::size_t groups = (end - begin + group_width - 1) / group_width;
+    for (std::size_t group = 0; group < groups; ++group)
+      for (std::size_t element = begin + group; element < end; element += groups)
+        tile.elements.push_back(static_cast<ElementIndex>(element));
   }
   const auto shared = shared_nodes(mesh, body, tiles.tile, joint_nodes);
   for (Tile& tile : tiles.tile) build_tile(tile, mesh, body, shared);
