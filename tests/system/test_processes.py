@@ -28,7 +28,7 @@ class DyingProcesses(unittest.TestCase):
 
     def disturb(self, role, signal_number):
         run = Run(*LONG, *SHORT_DEADLINE)
-        run.wait_until_running()
+        run.wait_until_running(segments=1)
         run.process_signalled = run.pids(role)
         self.assertTrue(run.process_signalled)
         import os
@@ -102,7 +102,7 @@ class DyingProcesses(unittest.TestCase):
     def test_interrupt_ends_at_a_coupling_time_with_files_closed(self):
         for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
             with self.subTest(code), Run(*LONG) as run:
-                run.wait_until_running()
+                run.wait_until_running(segments=1)
                 run.process.send_signal(number)
                 self.assertEqual(run.wait(), code, run.errors)
                 self.assertEqual(run.pids(), [])

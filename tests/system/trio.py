@@ -32,7 +32,10 @@ class Run:
 
     def __exit__(self, *_):
         for pid in self.pids():
-            os.kill(pid, signal.SIGKILL)
+            try:
+                os.kill(pid, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
         if self.process.poll() is None:
             self.process.kill()
         for stream in (self.process.stdout, self.process.stderr):
@@ -68,12 +71,12 @@ class Run:
                 found.append(int(entry.name))
         return found
 
-    def wait_until_running(self, seconds=20):
-        """Until the participants are at work on intervals."""
+    def wait_until_running(self, seconds=60, segments=0):
+        """Until the participants are at work on intervals, and that many segments are closed."""
         deadline = time.monotonic() + seconds
         while time.monotonic() < deadline:
-            if (self.directory / "history.csv").exists() and self.pids("structure") and self.pids("network"):
-                time.sleep(0.2)
+            closed = len(list((self.directory / "segments").glob("*.h5")))
+            if (self.directory / "history.csv").exists() and closed >= segments and self.pids("structure"):
                 return
             time.sleep(0.01)
         raise AssertionError("the trio did not start: " + (self.process.stderr.read() if self.process.poll() is not None else ""))
