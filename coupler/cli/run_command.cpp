@@ -73,6 +73,8 @@ int run_command(const RunOptions& options) {
     std::fprintf(stderr, "warning: a fault will be injected: %s\n", options.fault->c_str());
     ::setenv("FISSURA_FAULT", options.fault->c_str(), 1);
   }
+  // Threads of the structure that wait for each other long would keep the other two processes from the cores.
+  ::setenv("GOMP_SPINCOUNT", "1000", 0);
   StatusPage status;
   return supervise(status, run.reading.value.deadlines.progress, [&] { return run_worker(run, status); });
 }
