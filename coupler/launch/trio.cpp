@@ -13,9 +13,9 @@ namespace {
 
 constexpr Seconds tick{0.05};
 constexpr Seconds keep_alive_interval{1.0};
-constexpr double stop_tolerance = 1.5;   // wall seconds a participant may be stopped
+constexpr double stop_tolerance = 1.0;   // wall seconds a participant may be stopped
 constexpr double last_words = 0.1;       // wall seconds in which a message of a process that ended may still arrive
-constexpr double farewell = 1.0;         // wall seconds a participant may take to end after being told
+constexpr double farewell = 0.5;         // wall seconds a participant may take to end after being told
 
 double since(std::chrono::steady_clock::time_point start) {
   return Seconds(std::chrono::steady_clock::now() - start).count();
