@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,14 +27,28 @@ struct Domain {
   double thickness = 0;  ///< out of plane [m]
 };
 
+/// A rectangle in which the mesh is at most this coarse.
+struct Refinement {
+  double size = 0;                                  ///< target edge length [m]
+  double west = 0, east = 0, south = 0, north = 0;  ///< sides of the rectangle [m]
+};
+
 /// Target edge length: `fracture_size` within `corridor` of a fracture line, then growing by `gradation` per
-/// metre of distance up to `far_size`.
+/// metre of distance up to `far_size`. Around the tips of a fracture that grows freely the mesh is refined as they arrive: `tip_size`
+/// within `tip_radius`, then growing by `tip_gradation` per metre.
 struct MeshControls {
   double fracture_size = 0;  ///< h [m]
   double far_size = 0;       ///< [m]
   double corridor = 0;       ///< half width of the band of uniform size [m]
   double gradation = 0;      ///< [-], 0 < gradation <= 1
   std::uint64_t seed = 1;    ///< of the jitter of the interior points
+  double tip_size = 0;       ///< h at a growing tip [m]; fracture_size by default
+  double tip_radius = 0;     ///< [m]; 4 tip_size by default
+  double tip_gradation = 0;  ///< [-]; 0.4 by default
+  /// Direction of one of the three families of edges of a hexagonal lattice [rad], counter-clockwise from x. Without it the interior points
+  /// are scattered by the seed.
+  std::optional<double> lattice_angle;
+  std::vector<Refinement> refinements;
 };
 
 struct Rock {
@@ -43,6 +58,7 @@ struct Rock {
   double tensile_strength = 0;  ///< f_t [Pa]
   double fracture_energy = 0;   ///< G_f [J/m2]
   double biot_coefficient = 1;  ///< alpha [-], of the rock; a fracture face carries the full fluid pressure
+  double friction_coefficient = 0.6;  ///< tan(phi) of the faces of a new fracture [-]
 
   /// E' = E / (1 - nu^2) [Pa]
   [[nodiscard]] double plane_strain_modulus() const {
@@ -50,6 +66,44 @@ struct Rock {
   }
   /// G = E / (2 (1 + nu)) [Pa]
   [[nodiscard]] double shear_modulus() const { return youngs_modulus / (2 * (1 + poissons_ratio)); }
+};
+
+enum class Softening { linear, exponential };
+
+/// Failure of the rock itself, away from fractures; without it the rock is elastic.
+struct BulkFailure {
+  bool active = false;
+  Softening softening = Softening::exponential;
+  double cohesion = 0;        ///< of the Mohr-Coulomb surface [Pa]; 0 = tension only
+  double friction_angle = 0;  ///< phi [rad]
+  double dilation_angle = 0;  ///< psi [rad], at most phi
+  /// Laminated rock: strength across the bedding; Rock::tensile_strength is that along it [Pa]. Isotropic without.
+  std::optional<double> strength_across_bedding;
+  double bedding_angle = 0;   ///< direction of the bedding in the plane, counter-clockwise from x [rad]
+  double tip_exclusion = 3;   ///< no damage starts within this many tip_size of an active tip [-]
+};
+
+enum class PathRule {
+  prescribed,  ///< along the lines of kind intact
+  free         ///< where the rock breaks; lines of kind intact are left out
+};
+
+enum class TipRule {
+  insertion,  ///< a wet cohesive segment ahead of each tip whose averaged wet stress reaches a share of the strength
+  damage      ///< Profit et al. 2016: bulk damage first, then a segment along the failure path
+};
+
+/// How fractures grow.
+struct Growth {
+  PathRule path = PathRule::prescribed;
+  TipRule tip = TipRule::insertion;
+  double trigger = 0.65;         ///< share of the tip strength at which a segment is inserted [-]
+  double segment_length = 1;     ///< in tip_size [-]
+  double turn_limit = 1.308996938995747;  ///< greatest turn of a segment [rad], 75 degrees
+  bool nucleation = false;       ///< new fractures at failed clusters away from any tip; needs bulk failure
+  double failure_damage = 0.7;   ///< damage at which an element counts as failed [-]
+  double failure_length = 2;     ///< length of failure path that becomes a fracture, in tip_size [-]; tip = damage and nucleation
+  double wet_zone = 2.5;         ///< fluid pressure acts in damaged elements within this many tip_size of a tip [-]; tip = damage
 };
 
 /// Effective in-situ stress (tension positive) and pore pressure, linear in x and y, in equilibrium with
@@ -128,6 +182,7 @@ struct Stage {
   std::string fluid;    ///< name of the injected fluid; empty for shut_in
 };
 
+/// Without perforations the case is dry: no fluid is pumped and no fracture holds any.
 struct Injection {
   std::vector<Perforation> perforations;
   std::vector<Stage> stages;
@@ -198,9 +253,11 @@ struct Case {
   Domain domain;
   MeshControls mesh;
   Rock rock;
+  BulkFailure bulk_failure;
+  Growth growth;
   InSitu in_situ;
   Boundaries boundary;
-  std::vector<FractureLine> fractures;
+  std::vector<FractureLine> fractures;  ///< may be empty in a case without injection
   std::vector<Fluid> fluids;
   LeakOff leak_off;
   Injection injection;

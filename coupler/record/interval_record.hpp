@@ -41,6 +41,14 @@ struct IntervalRecord {
   int halvings = 0;             ///< how often the network halved the interval
   double kinetic_energy = 0;    ///< [J] with the scaled mass
   double strain_energy = 0;     ///< [J], of the change from in situ, at the last field report
+  double cohesive_work = 0;     ///< spent on fracture faces so far [J]
+  double failure_work = 0;      ///< spent on damage and plastic flow of the rock so far [J]
+  double cohesive_share = 0;    ///< cohesive_work / (G_f times the area of the grown fracture) [-]
+  double path_deviation = 0;    ///< greatest distance of the grown fracture from the line of the perforated slit [m]
+  double path_angle = 0;        ///< greatest over the wings: angle between slit and chord from slit end to tip [rad]
+  double first_angle = 0;       ///< greatest over the wings: angle between first grown segment and greatest compression [rad]
+  double end_angle = 0;         ///< the same of the mean over the last three segments [rad]
+  std::uint64_t elements = 0;   ///< of the mesh
   double mass_scale = 1;        ///< [-]
   double stable_step = 0;       ///< [s]
 };

@@ -197,7 +197,7 @@ void refuse_fractures_on_displaced_sides(const Mesh& mesh, const Case& settings)
           throw InputError(
               fmt::format("fracture '{}' reaches the {} side, whose displacement is prescribed; it must end "
                           "inside the domain",
-                          settings.fractures.at(unit.line).name, side_name[side]));
+                          mesh.lines.at(unit.line).name, side_name[side]));
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ Joints make_joints(const Mesh& mesh, const Case& run_case) {
   joints.state.resize(mesh.units.size());
   joints.ramp.resize(mesh.units.size());
   for (const ContactUnit& unit : mesh.units) {
-    const FractureLine& line = run_case.fractures[unit.line];
+    const FractureLine& line = mesh.lines[unit.line];
     joints.properties.push_back(properties_of(unit, line, run_case.rock));
     joints.released.push_back(line.kind != FractureKind::intact);
     if (line.kind == FractureKind::natural) {

@@ -51,7 +51,7 @@ void connect_nodes(const Mesh& mesh, const Case& run_case, const FractureNetwork
     const bool begin_new = added.contains(edge.begin), end_new = added.contains(edge.end);
     if (!begin_new && !end_new) continue;
     insertion.new_segments.push_back(
-        {k, edge.begin, edge.end, edge.line, segment_kind(run_case.fractures[edge.line].kind), edge.length});
+        {k, edge.begin, edge.end, edge.line, segment_kind(mesh.lines[edge.line].kind), edge.length});
     if (begin_new && !end_new) insertion.parents.push_back({edge.begin, edge.end});
     if (end_new && !begin_new) insertion.parents.push_back({edge.end, edge.begin});
     touched.insert({edge.begin, edge.end});

@@ -17,7 +17,7 @@
 /// In an element too wide to release G_f stably the strength is lowered, not the energy.
 namespace fissura::structure {
 
-enum class Softening { linear, exponential };
+using fissura::Softening;
 
 struct RankineDamage {
   double youngs_modulus = 0;    ///< E [Pa]

@@ -37,10 +37,18 @@ void check_areas(const Mesh& mesh) {
     }
 }
 
+Case without_unmeshed_lines(Case given) {
+  if (given.growth.path == PathRule::free)
+    std::erase_if(given.fractures, [](const FractureLine& line) { return line.kind == FractureKind::intact; });
+  return given;
+}
+
 }  // namespace
 
-Mesh build_mesh(const Case& given) {
+Mesh build_mesh(const Case& run_case) {
+  const Case given = without_unmeshed_lines(run_case);
   Mesh mesh = split_fractures(mesh_domain(given), given.fractures);
+  mesh.lines = given.fractures;
   order(mesh);
   list_side_nodes(mesh, given.domain);
   check_areas(mesh);

@@ -27,7 +27,7 @@ struct ContactUnit {
   std::array<double, 2> face{};   ///< sum of half of each adjoining edge's length times its normal [m]
   double length = 0;              ///< sum of half of each adjoining edge's length [m]
   VertexIndex vertex = 0;
-  std::uint32_t line = 0;  ///< adjoining line with the greatest tensile strength, index into Case::fractures
+  std::uint32_t line = 0;  ///< adjoining line with the greatest tensile strength, index into `Mesh::lines`
 };
 
 /// A mesh vertex on the fracture lines.
@@ -40,17 +40,20 @@ struct FractureVertex {
 /// One mesh edge on a fracture line, in the direction of the line.
 struct FractureEdge {
   VertexIndex begin = 0, end = 0;
-  std::uint32_t line = 0;  ///< index into Case::fractures
+  std::uint32_t line = 0;  ///< index into `Mesh::lines`
   double length = 0;       ///< [m]
 };
 
 struct Mesh {
+  std::vector<FractureLine>
+      lines;  ///< those of the case that are meshed, then one for every fracture that grew or nucleated
   std::vector<Point> position;                       ///< of each node, undeformed [m]
   std::vector<std::array<NodeIndex, 3>> elements;    ///< counter-clockwise, in Hilbert order
   std::array<std::vector<NodeIndex>, 4> side_nodes;  ///< nodes on each Side, corners on two
   std::vector<FractureVertex> vertices;              ///< line by line, along each line; shared ones once
   std::vector<FractureEdge> edges;                   ///< line by line, along each line
   std::vector<ContactUnit> units;
+  std::vector<NodeIndex> unused_nodes;  ///< places in `position` that no element uses, ascending
 };
 
 /// Area of element `element`, > 0 [m2].

@@ -23,6 +23,7 @@ struct Fracture {
     wing.fracture_energy = 50;
     run_case.rock.youngs_modulus = 32e9;
     run_case.fractures = {slit, wing};
+    mesh.lines = run_case.fractures;
     run_case.injection.perforations = {{"perforation", {4.1, 0}, 2e-5}};
     for (VertexIndex v = 0; v < 9; ++v) {
       FractureVertex vertex;

@@ -24,6 +24,7 @@ struct Wing {
     path.tensile_strength = 1e6;
     path.fracture_energy = 50;
     run_case.fractures = {slit, path};
+    mesh.lines = run_case.fractures;
     run_case.injection.perforations = {{"perforation", {1, 0}, 1e-5}};
     for (VertexIndex v = 0; v < 5; ++v) {
       FractureVertex vertex;
