@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <set>
 #include <thread>
 
 #include "common/case/units.hpp"
@@ -29,11 +30,18 @@ std::filesystem::path default_directory(const CaseReading& reading, CaseForm for
   return std::filesystem::path("runs") / (form == CaseForm::full ? name : name + "-short");
 }
 
-Expectations expectations_of(const CaseReading& reading, CaseForm form) {
+/// Reads what the run must give, and enters the files that say so among those of the case.
+Expectations expectations_of(CaseReading& reading, CaseForm form) {
   const std::filesystem::path file =
       reading.folder / (form == CaseForm::full ? "expected.toml" : "expected_short.toml");
   if (!std::filesystem::exists(file)) return {};
-  return read_expectations(file, reading.value.time.end, judgeable_columns());
+  const Expectations expectations = read_expectations(file, reading.value.time.end, judgeable_columns());
+  check_references(expectations);
+  std::set<std::filesystem::path> files{file};
+  for (const ExpectedQuantity& quantity : expectations.quantities)
+    if (!quantity.reference.empty()) files.insert(quantity.reference);
+  reading.files.insert(reading.files.end(), files.begin(), files.end());
+  return expectations;
 }
 
 double end_of_run(const RunOptions& options, const Case& run_case) {
@@ -52,9 +60,9 @@ PreparedRun prepare_run(const RunOptions& options) {
   PreparedRun run;
   run.reading = read_case(options.source);
   run.end = end_of_run(options, run.reading.value);
+  const Expectations expectations = expectations_of(run.reading, options.source.form);
   // A run that is cut short cannot be judged by what it should give at its end.
-  if (!options.until) run.expectations = expectations_of(run.reading, options.source.form);
-  check_references(run.expectations);
+  if (!options.until) run.expectations = expectations;
   run.directory = options.directory.value_or(default_directory(run.reading, options.source.form));
   RunDirectory::check(run.directory);
   run.structure_command = options.structure_command.value_or(sibling("structure"));
@@ -68,7 +76,8 @@ PreparedRun prepare_run(const RunOptions& options) {
 
 int run_command(const RunOptions& options) {
   const PreparedRun run = prepare_run(options);
-  for (const Fault& warning : run.reading.warnings) std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
+  for (const Fault& warning : run.reading.warnings)
+    std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
   if (options.fault) {
     std::fprintf(stderr, "warning: a fault will be injected: %s\n", options.fault->c_str());
     ::setenv("FISSURA_FAULT", options.fault->c_str(), 1);

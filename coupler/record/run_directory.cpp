@@ -23,9 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* lock_name = "lock";
-constexpr std::array our_entries{"run.json",    "effective_case.json", "input",       "columns.json",
-                                 "history.csv", "ledger.csv",          "log.jsonl",   "segments",
-                                 "fields.xdmf", "fractures.xdmf",      "summary.json"};
+constexpr std::array our_entries{"run.json",    "effective_case.json", "input",        "columns.json",
+                                 "history.csv", "ledger.csv",          "log.jsonl",    "segments",
+                                 "fields.xdmf", "fractures.xdmf",      "summary.json", "report.html"};
 
 [[noreturn]] void refuse(const std::string& sentence) {
   throw Error(ExitCode::precondition, sentence);
