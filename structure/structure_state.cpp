@@ -9,6 +9,7 @@ namespace fissura::structure {
 Geometry build_geometry(const StructureModel& model) {
   Geometry geometry;
   geometry.mesh = build_mesh(model.run_case);
+  geometry.node_elements = NodeElements(geometry.mesh);
   geometry.body = build_body(geometry.mesh, model.run_case);
   geometry.joint_nodes = joint_nodes(geometry.mesh);
   geometry.tiles = build_tiles(geometry.mesh, geometry.body, geometry.joint_nodes);

@@ -12,6 +12,8 @@
 #include "structure/dynamics/tiles.hpp"
 #include "structure/joints/joint_state.hpp"
 #include "structure/mesh/mesh.hpp"
+#include "structure/mesh/mesh_change.hpp"
+#include "structure/mesh/node_elements.hpp"
 
 /// The three rates of change of the structure: model (never), geometry (at coupling times), state (every step).
 namespace fissura::structure {
@@ -26,6 +28,7 @@ struct StructureModel {
 /// Mesh, everything derived from it, and the part of its fractures that is connected to the fluid.
 struct Geometry {
   Mesh mesh;
+  NodeElements node_elements;
   Body body;
   std::vector<NodeIndex> joint_nodes;
   Tiles tiles;
