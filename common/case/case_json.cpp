@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/case/case_json.hpp"
 
+#include <optional>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "common/case/faults.hpp"
 #include "common/case/names.hpp"
 #include "common/errors.hpp"
+
+/// A value that may be absent is null.
+template <>
+struct nlohmann::adl_serializer<std::optional<double>> {
+  static void to_json(json& target, const std::optional<double>& value) {
+    target = value ? json(*value) : json(nullptr);
+  }
+  static void from_json(const json& source, std::optional<double>& value) {
+    value = source.is_null() ? std::nullopt : std::optional(source.get<double>());
+  }
+};
 
 namespace fissura {
 
@@ -54,12 +67,36 @@ void to_json(nlohmann::json& json, CouplingScheme value) {
 void from_json(const nlohmann::json& json, CouplingScheme& value) {
   value = value_of(json, coupling_schemes);
 }
+void to_json(nlohmann::json& json, Softening value) {
+  json = word_of(value, softening_laws);
+}
+void from_json(const nlohmann::json& json, Softening& value) {
+  value = value_of(json, softening_laws);
+}
+void to_json(nlohmann::json& json, PathRule value) {
+  json = word_of(value, path_rules);
+}
+void from_json(const nlohmann::json& json, PathRule& value) {
+  value = value_of(json, path_rules);
+}
+void to_json(nlohmann::json& json, TipRule value) {
+  json = word_of(value, tip_rules);
+}
+void from_json(const nlohmann::json& json, TipRule& value) {
+  value = value_of(json, tip_rules);
+}
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeSpan, end)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Domain, width, height, thickness)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MeshControls, fracture_size, far_size, corridor, gradation, seed)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Refinement, size, west, east, south, north)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MeshControls, fracture_size, far_size, corridor, gradation, seed, tip_size,
+                                   tip_radius, tip_gradation, lattice_angle, refinements)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rock, density, youngs_modulus, poissons_ratio, tensile_strength,
-                                   fracture_energy, biot_coefficient)
+                                   fracture_energy, biot_coefficient, friction_coefficient)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BulkFailure, active, softening, cohesion, friction_angle, dilation_angle,
+                                   strength_across_bedding, bedding_angle, tip_exclusion)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Growth, path, tip, trigger, segment_length, turn_limit, nucleation,
+                                   failure_damage, failure_length, wet_zone)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InSitu, stress, stress_gradient, pore_pressure, pore_pressure_gradient,
                                    body_acceleration)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Boundary, kind, value, ramp)
@@ -72,7 +109,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Perforation, name, position, aperture)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Stage, begin, control, rate, pressure, ramp, fluid)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Injection, perforations, stages, well_index)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Coupling, scheme, minimum_steps, maximum_steps, front_fraction,
-                                   drift_tolerance, compliance_factor, maximum_interval, fracture_normal_stiffness)
+                                   drift_tolerance, compliance_factor, maximum_interval,
+                                   fracture_normal_stiffness)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Dynamics, damping, safety_factor, loading_ratio, event_loading_ratio,
                                    initial_mass_scale, maximum_mass_scale)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NetworkControls, minimum_aperture, tolerance, maximum_iterations)
@@ -81,9 +119,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Deadlines, join, progress, finish)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PressureRange, minimum, maximum)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Exchange, endpoint)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Participants, network)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Case, schema, title, time, domain, mesh, rock, in_situ, boundary,
-                                   fractures, fluids, leak_off, injection, coupling, dynamics, network,
-                                   output, deadlines, pressure_range, exchange, participants)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Case, schema, title, time, domain, mesh, rock, bulk_failure, growth,
+                                   in_situ, boundary, fractures, fluids, leak_off, injection, coupling,
+                                   dynamics, network, output, deadlines, pressure_range, exchange,
+                                   participants)
 
 nlohmann::json case_to_json(const Case& value) {
   return value;

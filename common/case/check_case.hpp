@@ -25,4 +25,11 @@ void check_in_situ(const Case& value, const SourceValue& document, FaultList& fa
 /// an output interval that fits the run.
 void check_schedule(const Case& value, const SourceValue& document, FaultList& faults);
 
+/// check_growth.cpp: growth rules that start from failed rock have [failure] and a free path; sizes at the
+/// tips and refinements fit; the in-situ state is below the Mohr-Coulomb surface,
+///   s_1 - s_3 <= 2 c cos(phi) - (s_1 + s_3) sin(phi)
+/// (tension positive, s_1 >= s_3; Jaeger, Cook and Zimmerman 2007, sec. 4.5), whose apex c / tan(phi) lies
+/// beyond the tensile strength.
+void check_growth(const Case& value, const SourceValue& document, FaultList& faults);
+
 }  // namespace fissura::input

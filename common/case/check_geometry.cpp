@@ -129,8 +129,8 @@ class GeometryCheck {
       const Point& position = case_.injection.perforations[i].position;
       const std::string key = fmt::format("injection.perforation[{}].position", i);
       const std::optional<Neighbour> nearest = nearest_open(position);
-      if (!nearest && !case_.fractures.empty())
-        refuse(key, text(position), "a point on an open fracture; the case has none");
+      const bool readable = !case_.fractures.empty() || member_of(document_, "fracture") == nullptr;
+      if (!nearest && readable) refuse(key, text(position), "a point on an open fracture; the case has none");
       if (nearest && nearest->distance > tolerance_)
         refuse(key, text(position),
                fmt::format("a point on an open fracture; the nearest, \"{}\", is {:.6g} m away",

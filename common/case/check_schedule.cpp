@@ -60,10 +60,13 @@ class ScheduleCheck {
     const std::string& name = case_.injection.stages[index].fluid;
     std::vector<std::string> known;
     for (const Fluid& candidate : case_.fluids) known.push_back(candidate.name);
-    if (name.empty() || known.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
+    const bool readable = !known.empty() || member_of(document_, "fluid") == nullptr;
+    if (name.empty() || !readable || std::find(known.begin(), known.end(), name) != known.end()) return;
     const std::string key = fmt::format("injection.stage[{}].fluid", index);
     faults_.push_back({position_of(document_, key), key, fmt::format("\"{}\"", name),
-                       "the name of a [[fluid]]: " + listed(known), closest_word(name, known)});
+                       known.empty() ? "the name of a [[fluid]]; the case has none"
+                                     : "the name of a [[fluid]]: " + listed(known),
+                       closest_word(name, known)});
   }
 
   void coupling_interval(double interval) const {

@@ -34,6 +34,15 @@ inline constexpr std::array stage_controls{Named<StageControl>{"rate", StageCont
 inline constexpr std::array coupling_schemes{Named<CouplingScheme>{"robin", CouplingScheme::robin},
                                              Named<CouplingScheme>{"profit2016", CouplingScheme::profit2016}};
 
+inline constexpr std::array softening_laws{Named<Softening>{"linear", Softening::linear},
+                                           Named<Softening>{"exponential", Softening::exponential}};
+
+inline constexpr std::array path_rules{Named<PathRule>{"prescribed", PathRule::prescribed},
+                                       Named<PathRule>{"free", PathRule::free}};
+
+inline constexpr std::array tip_rules{Named<TipRule>{"insertion", TipRule::insertion},
+                                      Named<TipRule>{"damage", TipRule::damage}};
+
 /// The names alone, in order.
 template <class E, std::size_t N>
 std::vector<std::string> texts_of(const std::array<Named<E>, N>& names) {

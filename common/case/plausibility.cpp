@@ -70,7 +70,8 @@ void look_at_treatment(const Case& value, Plausibility& plausibility) {
   for (std::size_t i = 0; i < injection.stages.size(); ++i)
     plausibility.look_at_magnitude(fmt::format("injection.stage[{}].rate", i), injection.stages[i].rate,
                                    "m3/s", {1e-12, 10});
-  plausibility.look_at("injection.well_index", injection.well_index, "m2/(s Pa)", {1e-12, 1});
+  if (!injection.perforations.empty())
+    plausibility.look_at("injection.well_index", injection.well_index, "m2/(s Pa)", {1e-12, 1});
 }
 
 void look_at_controls(const Case& value, Plausibility& plausibility) {
@@ -86,6 +87,7 @@ void look_at_controls(const Case& value, Plausibility& plausibility) {
           std::hypot(line.points[i][0] - line.points[i - 1][0], line.points[i][1] - line.points[i - 1][1]);
   const double h = value.mesh.fracture_size;
   const double area_of_an_element = std::sqrt(3.0) / 4 * h * h;
+  if (length == 0) return;
   plausibility.look_at("mesh.fracture_size", 2 * value.mesh.corridor * length / area_of_an_element,
                        "elements along the fractures", {1, 1e7});
 }

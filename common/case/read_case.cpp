@@ -54,6 +54,8 @@ Case read_sections(input::TableReader& document, input::CaseFiles& files) {
   result.domain = input::read_domain(document);
   result.mesh = input::read_mesh(document);
   result.rock = input::read_rock(document);
+  result.bulk_failure = input::read_failure(document);
+  result.growth = input::read_growth(document);
   result.in_situ = input::read_in_situ(document);
   result.boundary = input::read_boundary(document);
   result.fractures = input::read_fractures(document, result.rock, files);

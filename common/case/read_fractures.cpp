@@ -82,7 +82,7 @@ FractureLine read_line(TableReader& table, const Rock& rock, CaseFiles& files) {
 
 std::vector<FractureLine> read_fractures(TableReader& document, const Rock& rock, CaseFiles& files) {
   std::vector<FractureLine> lines;
-  for (TableReader& table : document.tables("fracture")) {
+  for (TableReader& table : document.optional_tables("fracture")) {
     lines.push_back(read_line(table, rock, files));
     const auto same_name = [&](const FractureLine& line) { return line.name == lines.back().name; };
     if (!lines.back().name.empty() && std::any_of(lines.begin(), lines.end() - 1, same_name))

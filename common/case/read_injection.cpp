@@ -80,7 +80,7 @@ Stage read_stage(TableReader& table) {
 
 std::vector<Fluid> read_fluids(TableReader& document) {
   std::vector<Fluid> fluids;
-  for (TableReader& table : document.tables("fluid")) {
+  for (TableReader& table : document.optional_tables("fluid")) {
     fluids.push_back(read_fluid(table));
     const auto same_name = [&](const Fluid& fluid) { return fluid.name == fluids.back().name; };
     if (!fluids.back().name.empty() && std::any_of(fluids.begin(), fluids.end() - 1, same_name))
@@ -101,8 +101,9 @@ LeakOff read_leak_off(TableReader& document) {
 }
 
 Injection read_injection(TableReader& document) {
-  TableReader table = document.table("injection");
   Injection injection;
+  if (!document.has("injection")) return injection;
+  TableReader table = document.table("injection");
   injection.well_index =
       table.quantity("well_index", dimension::well_index, positive, well_index_of_a_free_perforation);
   for (TableReader& perforation : table.tables("perforation"))

@@ -17,10 +17,16 @@ struct CaseFiles {
   std::vector<std::filesystem::path> read;
 };
 
-// read_rock.cpp
+// read_mesh.cpp
 Domain read_domain(TableReader& document);
 MeshControls read_mesh(TableReader& document);
+
+// read_rock.cpp
 Rock read_rock(TableReader& document);
+
+// read_growth.cpp
+BulkFailure read_failure(TableReader& document);
+Growth read_growth(TableReader& document);
 
 // read_in_situ.cpp
 InSitu read_in_situ(TableReader& document);

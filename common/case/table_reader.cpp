@@ -231,6 +231,10 @@ std::vector<TableReader> TableReader::tables(std::string_view key) {
   return result;
 }
 
+std::vector<TableReader> TableReader::optional_tables(std::string_view key) {
+  return has(key) ? tables(key) : std::vector<TableReader>();
+}
+
 void TableReader::refuse(std::string_view key, const std::string& expected) {
   const SourceMember* member = member_of(*table_, key);
   if (member != nullptr) {

@@ -80,6 +80,8 @@ class TableReader {
   TableReader optional_table(std::string_view key);
   /// The tables of an array of tables, which must have at least one.
   std::vector<TableReader> tables(std::string_view key);
+  /// The same, or none at all if the key is missing.
+  std::vector<TableReader> optional_tables(std::string_view key);
 
   /// Reports the value under the key as wrong (as missing, if it is). `expected` stands behind "expected".
   void refuse(std::string_view key, const std::string& expected);

@@ -30,18 +30,32 @@ std::vector<std::string> keys_in(const std::string& fault) {
   return keys;
 }
 
+const std::string failure_and_refinement = R"(
+[failure]
+cohesion = "10 MPa"
+friction_angle = "30 degree"
+strength_across_bedding = "0.5 MPa"
+bedding_azimuth = "20 degree"
+[[mesh.refinement]]
+size = "1 m"
+west = "0 m"
+east = "10 m"
+south = "0 m"
+north = "10 m"
+)";
+
 }  // namespace
 
 TEST_CASE("every key of every table stands in docs/case_format.md", "[common][case]") {
   const std::string text = manual();
   REQUIRE_FALSE(text.empty());
-  const std::string table =
-      GENERATE("", "time.", "domain.", "mesh.", "rock.", "in_situ.", "in_situ.gradient.", "boundary.",
-               "fracture[0].", "fracture[1].", "fluid[0].", "leak_off.", "injection.",
-               "injection.perforation[0].", "injection.stage[0].", "coupling.", "dynamics.", "network.",
-               "output.", "deadlines.", "pressure_range.", "exchange.", "participants.");
+  const std::string table = GENERATE(
+      "", "time.", "domain.", "mesh.", "mesh.refinement[0].", "rock.", "failure.", "growth.", "in_situ.",
+      "in_situ.gradient.", "boundary.", "fracture[0].", "fracture[1].", "fluid[0].", "leak_off.",
+      "injection.", "injection.perforation[0].", "injection.stage[0].", "coupling.", "dynamics.", "network.",
+      "output.", "deadlines.", "pressure_range.", "exchange.", "participants.");
   const Folder folder;
-  folder.write("case.toml", valid_case);
+  folder.write("case.toml", valid_case + failure_and_refinement);
   const std::vector<std::string> faults = faults_in(folder, {table + "qqq=1"});
   REQUIRE(faults.size() == 1);
   for (const std::string& key : keys_in(faults.front())) {

@@ -18,6 +18,21 @@ north = { kind = "displacement", value = ["0 m", "1 mm"], ramp = "1 s" }
 [coupling]
 scheme = "profit2016"
 fracture_normal_stiffness = "10 GPa/m"
+[failure]
+softening = "linear"
+cohesion = "10 MPa"
+friction_angle = "30 degree"
+strength_across_bedding = "0.5 MPa"
+bedding_azimuth = "20 degree"
+[growth]
+path = "free"
+tip = "damage"
+[[mesh.refinement]]
+size = "1 m"
+west = "0 m"
+east = "10 m"
+south = "0 m"
+north = "10 m"
 )");
   return read_case({folder.path(), CaseForm::full, {}}).value;
 }
@@ -35,6 +50,11 @@ TEST_CASE("a case survives the way to a participant bit by bit", "[common][case]
   CHECK(received.boundary.north.kind == BoundaryKind::displacement);
   CHECK(received.boundary.east.value == std::array<double, 2>{1e6, -2e6});
   CHECK(received.coupling.scheme == CouplingScheme::profit2016);
+  CHECK(received.bulk_failure.softening == Softening::linear);
+  CHECK(received.bulk_failure.strength_across_bedding == 0.5e6);
+  CHECK_FALSE(received.mesh.lattice_angle.has_value());
+  CHECK(received.mesh.refinements.at(0).east == 10);
+  CHECK(received.growth.tip == TipRule::damage);
   CHECK(received.injection.stages.at(1).control == StageControl::shut_in);
 }
 

@@ -11,7 +11,7 @@ TEST_CASE("malformed case 10: an unknown key is answered with the one that was m
   check_refused(
       "gradation = 0.15", "@gradatoin = 0.15\ngradation = 0.15",
       "mesh.gradatoin: found an unknown key, expected one of fracture_size, far_size, corridor, gradation, "
-      "seed; did you mean \"gradation\"?");
+      "seed, tip_size, tip_radius, tip_gradation, lattice_angle, refinement; did you mean \"gradation\"?");
 }
 
 TEST_CASE("malformed case 11: a missing key", "[common][case][malformed]") {
@@ -31,8 +31,9 @@ TEST_CASE("malformed case 11: a missing table is one fault, not one for each of 
 TEST_CASE("malformed case 11: an empty list where at least one table belongs", "[common][case][malformed]") {
   const std::size_t fluid = valid_case.find("[[fluid]]"), leak_off = valid_case.find("[leak_off]");
   const std::string without_fluids = std::string(valid_case).erase(fluid, leak_off - fluid);
-  CHECK(faults_of(without_fluids) ==
-        Lines{"case.toml:1:1: fluid: found nothing, expected at least one table [[fluid]]"});
+  CHECK(faults_of(without_fluids) == Lines{"case.toml:54:9: injection.stage[0].fluid: found \"slickwater\", "
+                                           "expected the name of a [[fluid]]; the "
+                                           "case has none"});
   CHECK(faults_of("fluid = []\n" + without_fluids) ==
         Lines{"case.toml:1:9: fluid: found an array, expected at least one table [[fluid]]"});
 }

@@ -139,5 +139,5 @@ TEST_CASE("a value set on the command line that cannot be is a fault like any ot
             "--set: rock.poissons_ratio: found 0.6, expected a number greater than -1 and less than 0.5",
             "--set: rock.youngs: found an unknown key, expected one of density, youngs_modulus, "
             "poissons_ratio, "
-            "tensile_strength, fracture_energy, biot_coefficient; did you mean \"youngs_modulus\"?"});
+            "tensile_strength, fracture_energy, biot_coefficient, friction_coefficient; did you mean \"youngs_modulus\"?"});
 }
