@@ -6,6 +6,8 @@
 
 #include "common/case/case.hpp"
 #include "structure/mesh/mesh.hpp"
+#include "structure/mesh/mesh_change.hpp"
+#include "structure/mesh/node_elements.hpp"
 
 /// Masses, in-situ stress, external forces and constraints of a meshed body. Constant between changes of the
 /// mesh. Everything is per unit thickness.
@@ -50,5 +52,11 @@ std::vector<NodeIndex> joint_nodes(const Mesh& mesh);
 /// anywhere but on fractures and held nodes, InputError if a fracture reaches a side with a prescribed
 /// displacement.
 Body build_body(const Mesh& mesh, const Case& settings);
+
+/// After the mesh changed: what build_body would give, computed for the changed elements and nodes only; the
+/// others keep their bits. `elements` has followed the change. A place without a node has no mass, inverse
+/// mass and force. Throws like build_body.
+void update_body(const Mesh& mesh, const NodeElements& elements, const Case& settings,
+                 const MeshChange& change, Body& body);
 
 }  // namespace fissura::structure

@@ -45,9 +45,14 @@ void NodeElements::follow(const Mesh& mesh, const MeshChange& change) {
     for (const NodeIndex node : mesh.elements[element]) arrived.emplace_back(node, element);
   std::sort(arrived.begin(), arrived.end());
 
+  std::vector<NodeIndex> affected = changed_nodes(change);
+  for (const MovedElement& element : change.moved)
+    affected.insert(affected.end(), mesh.elements[element.to].begin(), mesh.elements[element.to].end());
+  sort_without_repeats(affected);
+
   std::vector<ElementIndex> around;
   auto next = arrived.begin();
-  for (const NodeIndex node : affected_nodes(mesh, change)) {
+  for (const NodeIndex node : affected) {
     around.clear();
     for (const ElementIndex element : of(node))
       if (element < mesh.elements.size() && has_corner(mesh, element, node)) around.push_back(element);
@@ -84,12 +89,10 @@ void NodeElements::close_gaps() {
   elements_ = std::move(dense);
 }
 
-std::vector<NodeIndex> affected_nodes(const Mesh& mesh, const MeshChange& change) {
+std::vector<NodeIndex> changed_nodes(const MeshChange& change) {
   std::vector<NodeIndex> nodes = change.touched_nodes;
   nodes.insert(nodes.end(), change.new_nodes.begin(), change.new_nodes.end());
   nodes.insert(nodes.end(), change.unused_nodes.begin(), change.unused_nodes.end());
-  for (const MovedElement& element : change.moved)
-    nodes.insert(nodes.end(), mesh.elements[element.to].begin(), mesh.elements[element.to].end());
   sort_without_repeats(nodes);
   return nodes;
 }

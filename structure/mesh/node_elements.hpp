@@ -37,9 +37,8 @@ class NodeElements {
   std::size_t used_ = 0;  // entries of elements_ that belong to a row
 };
 
-/// Nodes that a change of the mesh can have affected: touched, new, unused, and corners of moved elements;
-/// ascending.
-std::vector<NodeIndex> affected_nodes(const Mesh& mesh, const MeshChange& change);
+/// Nodes whose elements, place or use changed: touched, new and unused ones; ascending.
+std::vector<NodeIndex> changed_nodes(const MeshChange& change);
 
 /// Elements that did not exist before in this place with these corners: made, rewired and moved ones (by
 /// their index now); ascending.

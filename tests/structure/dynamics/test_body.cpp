@@ -96,6 +96,7 @@ TEST_CASE("body: a fracture that reaches a displaced side is refused by name", "
   settings.boundary.south = {BoundaryKind::displacement, {0, 0}, 0};
   settings.fractures.push_back({"slit", FractureKind::open, {}, 0, 0, 0, 0});
   Mesh mesh = mesh_with_line(grid, 2.5);
+  mesh.lines = settings.fractures;
   CHECK_NOTHROW(build_body(mesh, settings));
   mesh.side_nodes[2].push_back(mesh.units.front().minus);
   CHECK_THROWS_WITH(build_body(mesh, settings), Catch::Contains("'slit'") && Catch::Contains("south"));
