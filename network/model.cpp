@@ -59,13 +59,14 @@ bool Model::newtonian() const {
 Model model_from_case(const Case& value) {
   Model model;
   require_positive(value.domain.thickness, "domain.thickness");
-  require_positive(value.injection.well_index, "injection.well_index");
+  model.dry = value.injection.perforations.empty() && value.injection.stages.empty();
+  if (!model.dry) require_positive(value.injection.well_index, "injection.well_index");
   require_positive(value.network.minimum_aperture, "network.minimum_aperture");
   require_positive(value.network.tolerance, "network.tolerance");
   require_positive(value.network.maximum_iterations, "network.maximum_iterations");
   require_not_negative(value.leak_off.coefficient, "leak_off.coefficient");
   require_not_negative(value.leak_off.spurt_volume, "leak_off.spurt_volume");
-  if (value.fluids.empty()) throw InputError("the case has no fluid, expected at least one");
+  if (value.fluids.empty() && !model.dry) throw InputError("the case has no fluid, expected at least one");
   for (const Fluid& fluid : value.fluids) {
     require_positive(fluid.consistency_index, "the consistency index of fluid \"" + fluid.name + "\"");
     require_positive(fluid.power_index, "the power index of fluid \"" + fluid.name + "\"");

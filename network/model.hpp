@@ -19,7 +19,7 @@ struct FractureFluid {
 
 /// What never changes during a run. Volumes and rates are per unit thickness unless said otherwise.
 struct Model {
-  std::vector<FractureFluid> fluids;  ///< at least one
+  std::vector<FractureFluid> fluids;  ///< at least one, unless dry
   CarterLaw leak_off;
   Schedule schedule;
   double well_index = 0;        ///< WI of one perforation [m2/(s Pa)]
@@ -27,12 +27,13 @@ struct Model {
   double minimum_aperture = 0;  ///< floor in the conductivity only [m]
   double tolerance = 0;         ///< of the Newton residual, relative to the content moved [-]
   int maximum_iterations = 0;
+  bool dry = false;  ///< nothing is ever pumped: no fracture holds fluid, and every pressure is zero
 
   [[nodiscard]] bool single_fluid() const { return fluids.size() == 1; }
   [[nodiscard]] bool newtonian() const;
 };
 
-/// Throws InputError if there is no fluid, a stage names an unknown one, or a number is outside its physical
+/// A case without perforations and stages is dry. Throws InputError if any other has no fluid, a stage names an unknown one, or a number is outside its physical
 /// range.
 Model model_from_case(const Case& value);
 

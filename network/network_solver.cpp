@@ -56,7 +56,8 @@ std::string NetworkSolver::insert(const Insertion& insertion) {
 Message NetworkSolver::advance(const Message& command) {
   const auto start = std::chrono::steady_clock::now();
   read_interval(command);
-  const AdvanceReport report = network::advance(model_, graph_, interval_, state_, workspace_);
+  const AdvanceReport report =
+      model_.dry ? pass_dry() : network::advance(model_, graph_, interval_, state_, workspace_);
   Message answer = pressure_message(report);
   figures_.intervals += 1;
   figures_.steps += report.steps;
@@ -89,10 +90,22 @@ void NetworkSolver::read_interval(const Message& command) {
     interval_.faces[i] = closed[i] != 0 ? Faces::in_contact : Faces::separated;
 }
 
+AdvanceReport NetworkSolver::pass_dry() {
+  state_.time = interval_.end;
+  state_.started = true;
+  AdvanceReport report;
+  report.newton.converged = true;
+  return report;
+}
+
+double NetworkSolver::predicted_aperture(std::size_t node) const {
+  return model_.dry ? interval_.aperture[node]
+                    : hydraulic_aperture(workspace_.step.storage[node], state_.pressure[node]);
+}
+
 Message NetworkSolver::pressure_message(const AdvanceReport& report) const {
   std::vector<double> predicted(graph_.node_count());
-  for (std::size_t i = 0; i < predicted.size(); ++i)
-    predicted[i] = hydraulic_aperture(workspace_.step.storage[i], state_.pressure[i]);
+  for (std::size_t i = 0; i < predicted.size(); ++i) predicted[i] = predicted_aperture(i);
   Message answer(MessageType::pressure);
   answer.body["ledger"] = ledger_to_json(ledger_report(model_, graph_, state_));
   answer.body["well_pressure"] = state_.well_pressure;
@@ -122,7 +135,8 @@ Message NetworkSolver::report(const Message&) {
   fields.add("content", "m", content);
   fields.add("leaked", "m", state_.leaked);
   fields.add("flux", "m2/s", state_.flux);
-  fields.add("fluid_fraction", "1", state_.fluid_fraction, count, model_.fluids.size());
+  if (!model_.dry)
+    fields.add("fluid_fraction", "1", state_.fluid_fraction, count, model_.fluids.size());
   return fields;
 }
 

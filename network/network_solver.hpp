@@ -39,6 +39,9 @@ class NetworkSolver : public Solver {
   };
 
   void read_interval(const Message& command);
+  /// A dry network only keeps the time.
+  AdvanceReport pass_dry();
+  [[nodiscard]] double predicted_aperture(std::size_t node) const;
   [[nodiscard]] Message pressure_message(const AdvanceReport& report) const;
 
   Model model_;

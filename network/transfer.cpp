@@ -22,6 +22,7 @@ void add_nodes(const Model& model, const Graph& graph, std::size_t old_count, St
   state.has_been_filled.resize(count, 0);
   state.exposure.resize(count);
   state.fluid_fraction.resize(count * fluids, 0.0);
+  if (model.dry) return;
   for (std::size_t i = old_count; i < count; ++i) state.fluid_fraction[i * fluids + first_fluid(model)] = 1;
 }
 

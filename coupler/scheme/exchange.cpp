@@ -89,6 +89,9 @@ StructureResponse read_response(const Message& message, const FractureNetwork& n
   const auto energy = message.value<nlohmann::json>("energy");
   response.kinetic_energy = entry<double>(energy, "kinetic");
   if (energy.contains("strain")) response.strain_energy = entry<double>(energy, "strain");
+  if (energy.contains("cohesive")) response.cohesive_work = entry<double>(energy, "cohesive");
+  if (energy.contains("failure")) response.failure_work = entry<double>(energy, "failure");
+  if (message.body.contains("elements")) response.elements = message.value<std::uint64_t>("elements");
   if (const auto proposal = message.body.find("insertion"); proposal != message.body.end())
     response.proposal = insertion_from_json(*proposal);
   return response;

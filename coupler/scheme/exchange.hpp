@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct StructureResponse {
   int steps = 0;                         ///< RESPONSE only, like the rest
   double kinetic_energy = 0;                     ///< [J]
   std::optional<double> strain_energy;           ///< [J], if it was asked for
+  double cohesive_work = 0, failure_work = 0;    ///< so far [J]; 0 from a structure that does not tell
+  std::uint64_t elements = 0;                    ///< of the mesh; the same
   std::optional<Insertion> proposal;
 };
 

@@ -4,25 +4,27 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/errors.hpp"
 #include "coupler/scheme/fracture_extent.hpp"
 
 namespace fissura::coupler {
 
 namespace {
 
-double total_closure(const InSitu& in_situ, double biot, const NetworkNode& at, double normal_x, double normal_y) {
+double total_closure(const InSitu& in_situ, double biot, const NetworkNode& at, double normal_x,
+                     double normal_y) {
   const auto stress = [&](std::size_t k) {
     return in_situ.stress[k] + in_situ.stress_gradient[k][0] * at.x + in_situ.stress_gradient[k][1] * at.y;
   };
   const double pore = in_situ.pore_pressure + in_situ.pore_pressure_gradient[0] * at.x +
                       in_situ.pore_pressure_gradient[1] * at.y;
-  return -(stress(0) * normal_x * normal_x + stress(1) * normal_y * normal_y + 2 * stress(2) * normal_x * normal_y) +
+  return -(stress(0) * normal_x * normal_x + stress(1) * normal_y * normal_y +
+           2 * stress(2) * normal_x * normal_y) +
          biot * pore;
 }
 
 struct VolumeDifference {
-  double sum = 0, sum_of_magnitudes = 0, volume = 0;  ///< of l (e - e^), l |e - e^|, l e over filled nodes [m2]
+  double sum = 0, sum_of_magnitudes = 0,
+         volume = 0;  ///< of l (e - e^), l |e - e^|, l e over filled nodes [m2]
 };
 
 VolumeDifference volume_difference(const FractureNetwork& network, const StructureResponse& structure,
@@ -47,8 +49,8 @@ std::vector<double> opened(const StructureResponse& structure) {
 
 }  // namespace
 
-Inlet find_inlet(const FractureNetwork& network, const Case& run_case) {
-  ENSURE(!network.perforations().empty());
+std::optional<Inlet> find_inlet(const FractureNetwork& network, const Case& run_case) {
+  if (network.perforations().empty()) return std::nullopt;
   const PerforationNode& perforation = network.perforations().front();
   Inlet inlet;
   inlet.node = network.index_of(perforation.node);
@@ -67,8 +69,9 @@ Inlet find_inlet(const FractureNetwork& network, const Case& run_case) {
   return inlet;
 }
 
-IntervalRecord interval_figures(const CouplingInterval& interval, const FractureNetwork& network, const Inlet& inlet,
-                                const StructureResponse& structure, const NetworkAnswer& answer) {
+IntervalRecord interval_figures(const CouplingInterval& interval, const FractureNetwork& network,
+                                const std::optional<Inlet>& inlet, const StructureResponse& structure,
+                                const NetworkAnswer& answer) {
   IntervalRecord record;
   record.interval = interval.index;
   record.revision = network.revision();
@@ -77,10 +80,13 @@ IntervalRecord interval_figures(const CouplingInterval& interval, const Fracture
   record.explicit_steps = structure.steps;
   record.half_length_open = marked_half_length(network, opened(structure));
   record.half_length_broken = marked_half_length(network, structure.broken);
-  record.half_length = (record.half_length_open + std::min(record.half_length_broken, record.half_length_open)) / 2;
-  record.inlet_aperture = structure.aperture[inlet.node] - inlet.stored_aperture;
-  record.inlet_pressure = answer.pressure[inlet.node];
-  record.inlet_net_pressure = record.inlet_pressure - inlet.closure;
+  record.half_length =
+      (record.half_length_open + std::min(record.half_length_broken, record.half_length_open)) / 2;
+  if (inlet) {
+    record.inlet_aperture = structure.aperture[inlet->node] - inlet->stored_aperture;
+    record.inlet_pressure = answer.pressure[inlet->node];
+    record.inlet_net_pressure = record.inlet_pressure - inlet->closure;
+  }
   record.well_pressure = answer.well_pressure;
   record.rate = answer.rate;
   record.ledger = answer.ledger;
@@ -97,7 +103,22 @@ IntervalRecord interval_figures(const CouplingInterval& interval, const Fracture
   return record;
 }
 
-double drift(const FractureNetwork& network, const StructureResponse& structure, const NetworkAnswer& answer) {
+void add_growth_figures(const FractureNetwork& network, const FracturePath& path,
+                        const StructureResponse& structure, const Case& run_case, IntervalRecord& record) {
+  record.cohesive_work = structure.cohesive_work;
+  record.failure_work = structure.failure_work;
+  record.elements = structure.elements;
+  record.path_deviation = path.deviation;
+  record.path_angle = path.chord_angle;
+  record.first_angle = path.first_angle;
+  record.end_angle = path.end_angle;
+  const double length = grown_length(network, path, opened(structure), structure.broken);
+  const double needed = run_case.rock.fracture_energy * run_case.domain.thickness * length;
+  record.cohesive_share = needed > 0 ? structure.cohesive_work / needed : 0;
+}
+
+double drift(const FractureNetwork& network, const StructureResponse& structure,
+             const NetworkAnswer& answer) {
   const VolumeDifference difference = volume_difference(network, structure, answer);
   return difference.volume > 0 ? difference.sum_of_magnitudes / difference.volume : 0;
 }

@@ -123,6 +123,7 @@ void StaggeredScheme::check_ledger(const NetworkAnswer& answer) const {
 void StaggeredScheme::record_interval(const CouplingInterval& interval, const NetworkAnswer& answer,
                                       const StructureResponse& response) {
   IntervalRecord figures = interval_figures(interval, network_, inlet_, response, answer);
+  add_growth_figures(network_, path_, response, case_, figures);
   if (response.strain_energy) strain_energy_ = *response.strain_energy;
   figures.strain_energy = strain_energy_;
   record_.interval(figures);
@@ -137,7 +138,7 @@ void StaggeredScheme::accept(const CouplingInterval& interval, const NetworkAnsw
   structure_ = std::move(response);
   clock_.commit(interval);
   interval_control_.observe({interval.end, drift(network_, structure_, answer), structure_.stable_step,
-                             half_length(network_), structure_.closed[inlet_.node] > 0});
+                             half_length(network_), inlet_ && structure_.closed[inlet_->node] > 0});
   if (std::binary_search(events_.begin(), events_.end(), interval.end)) interval_control_.reset();
 }
 
@@ -163,6 +164,7 @@ void StaggeredScheme::insert(const Insertion& insertion) {
     if (role == Role::structure) structure_ = read_response(acknowledgement, network_, case_.pressure_range);
   }
   compliance_ = interface_compliance(network_, case_.rock.plane_strain_modulus(), case_.coupling.compliance_factor);
+  path_ = fracture_path(network_, case_);
   network_pressure_.resize(network_.nodes().size(), 0);
   average_rate_.resize(network_.nodes().size(), 0);
   if (network_.revision() > 0) ++insertions_;

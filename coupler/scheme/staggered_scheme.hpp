@@ -59,11 +59,12 @@ class StaggeredScheme {
   double fluid_bulk_modulus_;            ///< least of the fluids [Pa]
 
   FractureNetwork network_;
+  FracturePath path_;                    ///< at this revision
   std::vector<double> compliance_;       ///< C_R of each node at this revision [m/Pa]
   StructureResponse structure_;          ///< at the last coupling time
   std::vector<double> network_pressure_; ///< of the last interval [Pa]; profit2016 carries it
   std::vector<double> average_rate_;     ///< of the aperture in the last interval [m/s]; profit2016
-  Inlet inlet_;
+  std::optional<Inlet> inlet_;
   double strain_energy_ = 0;             ///< at the last report [J]
   std::uint64_t reports_ = 0;
   std::uint64_t insertions_ = 0;

@@ -179,3 +179,33 @@ TEST_CASE("network solver: figures count the work", "[network][solver]") {
   CHECK(figures["newton_iterations"].get<long>() > 0);
   CHECK(figures["factorisations"] == figures["newton_iterations"]);
 }
+
+TEST_CASE("network solver: a dry case has no pressure and holds nothing, with and without open slits",
+          "[network][solver]") {
+  Case dry = water_case();
+  dry.injection = {};
+  dry.fluids.clear();
+  NetworkSolver solver;
+  solver.join({case_to_json(dry), 1});
+  Insertion slit = test::straight_fracture(5, 0.5, {2});
+  slit.new_perforations.clear();
+  const bool with_slit = GENERATE(true, false);
+  (void)solver.insert(with_slit ? slit : Insertion{});
+  const std::size_t nodes = with_slit ? 5 : 0;
+  const std::vector<double> zero(nodes, 0.0);
+  const Message command = advance_command(nodes, 0, 0.1);
+  const Message answer = solver.advance(command);
+  CHECK(answer.numbers("pressure", nodes) == zero);
+  CHECK(answer.numbers("filled", nodes) == zero);
+  CHECK(answer.numbers("aperture_predicted", nodes) == command.numbers("aperture", nodes));
+  for (const char* volume : {"injected", "in_place", "in_fractures", "leaked", "reset", "residual"})
+    CHECK(answer.body["ledger"][volume] == 0);
+  CHECK(answer.body["newton"]["converged"] == true);
+  if (with_slit) (void)solver.insert(growth(1, 6, 0.1));
+  CHECK_NOTHROW(solver.advance(advance_command(nodes + (with_slit ? 1 : 0), 0.1, 0.2)));
+  CHECK_NOTHROW(solver.report(Message(MessageType::report)));
+  NetworkSolver resumed;
+  resumed.join({case_to_json(dry), 1});
+  resumed.restore(solver.save());
+  CHECK(resumed.finish()["intervals"] == 0);
+}
