@@ -43,6 +43,8 @@ class Sha256 {
 }  // namespace
 
 std::uint32_t crc32(std::span<const std::byte> bytes, std::uint32_t start) {
+  // zlib takes a null pointer for the wish to start anew.
+  if (bytes.empty()) return start;
   return static_cast<std::uint32_t>(
       ::crc32_z(start, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
 }

@@ -124,3 +124,13 @@ TEST_CASE("an array of another name, type or length is refused", "[common][excha
   CHECK_THROWS_WITH(message.numbers("pressure", 5), Catch::Contains("has 4 values, expected 5"));
   CHECK_THROWS_WITH(message.value<std::string>("well_pressure"), Catch::Contains("well_pressure"));
 }
+
+TEST_CASE("arrays of a network without nodes survive the way", "[common][exchange]") {
+  Message message(MessageType::topology);
+  message.add("aperture", "m", std::vector<double>{});
+  message.add("closed", "1", std::vector<double>{});
+  auto frames = frames_of(encode(message, sample_stamp()));
+  for (auto& frame : frames) frame.reserve(1);  // a frame from a socket has an address even when it is empty
+  const Message received = decode_all(frames).message;
+  CHECK(received.numbers("aperture", 0).empty());
+}
