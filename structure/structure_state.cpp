@@ -13,13 +13,27 @@ Geometry build_geometry(const StructureModel& model) {
   geometry.body = build_body(geometry.mesh, model.run_case);
   geometry.joint_nodes = joint_nodes(geometry.mesh);
   geometry.tiles = build_tiles(geometry.mesh, geometry.body, geometry.joint_nodes);
-  geometry.frequency_squared =
-      stiffest_element(geometry.mesh, model.moduli, model.run_case.rock.density).frequency_squared;
+  geometry.frequency_bound = bound_frequencies(geometry.mesh, model.moduli, model.run_case.rock.density);
+  geometry.frequency_squared = stiffest_element(geometry.mesh, geometry.frequency_bound).frequency_squared;
   return geometry;
 }
 
+void follow(const StructureModel& model, const MeshChange& change, Geometry& geometry) {
+  const Mesh& mesh = geometry.mesh;
+  geometry.node_elements.follow(mesh, change);
+  update_body(mesh, geometry.node_elements, model.run_case, change, geometry.body);
+  geometry.joint_nodes = joint_nodes(mesh);
+  update_tiles(mesh, geometry.node_elements, geometry.body, geometry.joint_nodes, change, geometry.tiles);
+  update_frequencies(mesh, geometry.node_elements, model.moduli, model.run_case.rock.density, change,
+                     geometry.frequency_bound);
+  geometry.frequency_squared = stiffest_element(mesh, geometry.frequency_bound).frequency_squared;
+  ++geometry.number;
+}
+
 StructureState initial_state(const StructureModel& model, const Geometry& geometry) {
-  return {state_at_rest(geometry.body), make_joints(geometry.mesh, model.run_case),
+  State body = model.run_case.bulk_failure.active ? state_at_rest(geometry.body, geometry.tiles)
+                                                  : state_at_rest(geometry.body);
+  return {std::move(body), make_joints(geometry.mesh, model.run_case),
           MassScaling(model.run_case.dynamics, model.run_case.rock)};
 }
 

@@ -7,6 +7,7 @@
 #include "common/fracture_network/fracture_network.hpp"
 #include "structure/dynamics/body.hpp"
 #include "structure/dynamics/central_difference.hpp"
+#include "structure/dynamics/frequency_bound.hpp"
 #include "structure/material/elasticity.hpp"
 #include "structure/dynamics/mass_scaling.hpp"
 #include "structure/dynamics/tiles.hpp"
@@ -32,6 +33,7 @@ struct Geometry {
   Body body;
   std::vector<NodeIndex> joint_nodes;
   Tiles tiles;
+  FrequencyBound frequency_bound;
   double frequency_squared = 0;  ///< of the stiffest element, unscaled [1/s2]
   std::uint64_t number = 0;      ///< grows with every change of the mesh
   FractureNetwork network;
@@ -46,6 +48,11 @@ struct StructureState {
 
 /// Meshes the case and builds everything that depends on the mesh. Throws InputError if it cannot be meshed.
 Geometry build_geometry(const StructureModel& model);
+
+/// After `geometry.mesh` changed: everything built from it follows where it was touched, and the number of the geometry grows. The
+/// network is not touched, nor is any state: damage is kept by place in a tile, so carry its records to the new tiles. Throws SolverError
+/// if an element has no area, InputError if a fracture reached a side with a prescribed displacement.
+void follow(const StructureModel& model, const MeshChange& change, Geometry& geometry);
 
 /// In-situ equilibrium at rest.
 StructureState initial_state(const StructureModel& model, const Geometry& geometry);

@@ -1,62 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structure/dynamics/stable_step.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
 #include <cmath>
-#include <vector>
 
-#include "common/errors.hpp"
+#include "structure/dynamics/frequency_bound.hpp"
 
 namespace fissura::structure {
-
-namespace {
-
-using CornerValues = std::vector<std::array<double, 3>>;
-
-constexpr int share_improvements = 2;
-
-std::vector<Triangle> triangles(const Mesh& mesh) {
-  std::vector<Triangle> shapes;
-  shapes.reserve(mesh.elements.size());
-  for (ElementIndex element = 0; element < mesh.elements.size(); ++element) {
-    shapes.push_back(triangle(mesh, element));
-    if (shapes.back().area > 0) continue;
-    const Point position = centroid(mesh, element);
-    throw SolverError(
-        fmt::format("an element with positive area was expected, element {} at ({} m, {} m) has {} m2",
-                    element, position[0], position[1], shapes.back().area));
-  }
-  return shapes;
-}
-
-std::vector<double> sum_at_nodes(const Mesh& mesh, const CornerValues& values) {
-  std::vector<double> sum(mesh.position.size(), 0);
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
-    for (int i = 0; i < 3; ++i) sum[mesh.elements[e][i]] += values[e][i];
-  return sum;
-}
-
-CornerValues areas(const std::vector<Triangle>& shapes) {
-  CornerValues values;
-  for (const auto& shape : shapes) values.push_back({shape.area, shape.area, shape.area});
-  return values;
-}
-
-// Up to a factor, the trace of a corner's block of the stiffness matrix.
-CornerValues corner_stiffness(const std::vector<Triangle>& shapes) {
-  CornerValues values;
-  for (const auto& shape : shapes) {
-    const auto trace = [&shape](int i) {
-      return shape.area * (shape.slope[i][0] * shape.slope[i][0] + shape.slope[i][1] * shape.slope[i][1]);
-    };
-    values.push_back({trace(0), trace(1), trace(2)});
-  }
-  return values;
-}
-
-}  // namespace
 
 double element_frequency_squared(const Triangle& shape, const Elasticity& moduli,
                                  const std::array<double, 3>& corner_mass) {
@@ -79,26 +29,7 @@ double element_frequency_squared(const Triangle& shape, const Elasticity& moduli
 }
 
 StiffestElement stiffest_element(const Mesh& mesh, const Elasticity& moduli, double density) {
-  const auto shapes = triangles(mesh);
-  const auto area_at_nodes = sum_at_nodes(mesh, areas(shapes));
-  CornerValues weight = corner_stiffness(shapes);
-  StiffestElement best;
-  for (int round = 0; round <= share_improvements; ++round) {
-    const auto weight_at_nodes = sum_at_nodes(mesh, weight);
-    StiffestElement stiffest;
-    for (ElementIndex element = 0; element < mesh.elements.size(); ++element) {
-      std::array<double, 3> mass{};
-      for (int i = 0; i < 3; ++i) {
-        const NodeIndex node = mesh.elements[element][i];
-        mass[i] = density * area_at_nodes[node] / 3 * weight[element][i] / weight_at_nodes[node];
-      }
-      const double squared = element_frequency_squared(shapes[element], moduli, mass);
-      if (squared > stiffest.frequency_squared) stiffest = {squared, element, centroid(mesh, element)};
-      for (double& value : weight[element]) value *= squared;
-    }
-    if (round == 0 || stiffest.frequency_squared < best.frequency_squared) best = stiffest;
-  }
-  return best;
+  return stiffest_element(mesh, bound_frequencies(mesh, moduli, density));
 }
 
 double pair_frequency_squared(double stiffness, double mass_a, double mass_b) {

@@ -7,6 +7,8 @@
 
 #include "structure/dynamics/body.hpp"
 #include "structure/mesh/mesh.hpp"
+#include "structure/mesh/mesh_change.hpp"
+#include "structure/mesh/node_elements.hpp"
 
 /// The mesh cut into tiles of consecutive elements: the unit of work, of load balance and of rebuilding.
 ///
@@ -39,6 +41,8 @@ struct Tile {
       elements;  ///< element of the mesh at each place; the last group is filled up with
                  ///< stressless elements on three nodes of their own, see `padding_corners`
   std::vector<ElementGroup> groups;
+  std::vector<float> out_of_plane;  ///< in-situ effective sigma_zz of each place, padded like the groups;
+                                    ///< only Mohr-Coulomb reads it [Pa]
   std::vector<NodeIndex> nodes;  ///< of the mesh, by tile-local number: interior ones first, then shared ones
   std::vector<Point> position;   ///< of each of `nodes` [m]
   std::vector<InteriorNode> interior;  ///< of the first of `nodes`
@@ -63,17 +67,24 @@ struct Tiles {
   NodeSlots shared;  ///< nodes of several tiles and held nodes, but for joint nodes; ascending
   NodeSlots joint;   ///< the joint nodes, in the order given
   std::size_t slots = 0;
+  std::vector<std::uint32_t> tile_of_element;
+  std::vector<std::uint8_t> shares;  ///< of each node of the mesh: 1 if no tile alone moves it
 };
 
 /// Cuts the elements into tiles of consecutive ones. `joint_nodes` are moved by the joints, not by the
 /// element loop.
 Tiles build_tiles(const Mesh& mesh, const Body& body, const std::vector<NodeIndex>& joint_nodes);
 
-/// Builds again the tiles listed in `touched` after their elements (`Tile::elements`, already replaced by the
-/// caller), nodes or body data changed, and every tile in which a node became shared or interior; then
-/// renumbers the slots.
-void rebuild_tiles(Tiles& tiles, const Mesh& mesh, const Body& body,
-                   const std::vector<NodeIndex>& joint_nodes, const std::vector<std::size_t>& touched);
+/// The same with given elements in each tile, in this order: tiles that followed changes of the mesh go on
+/// with the same sums.
+Tiles build_tiles_of(std::vector<std::vector<ElementIndex>> elements, const Mesh& mesh, const Body& body,
+                     const std::vector<NodeIndex>& joint_nodes);
+
+/// After the mesh changed: an element made stands where a removed one of its index stood; further ones join
+/// the touched tile with the fewest elements; a tile of more than twice `elements_per_tile` is cut in two.
+/// Tiles without a change keep their elements and nodes. The others have followed the change before.
+void update_tiles(const Mesh& mesh, const NodeElements& elements, const Body& body,
+                  const std::vector<NodeIndex>& joint_nodes, const MeshChange& change, Tiles& tiles);
 
 /// Longest edge of an element [m].
 double longest_edge(const Tiles& tiles);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <map>
@@ -78,7 +79,11 @@ TEST_CASE("tiles: rebuilding what an insertion touched equals building everythin
 
   const auto body = build_body(after, settings);
   const auto joints = joint_nodes(after);
-  rebuild_tiles(tiles, after, body, joints, {0});
+  MeshChange change{before.elements.size(), before.position.size(), {}, {}, {torn}, {}, {new_node}};
+  change.touched_nodes.assign(after.elements[torn].begin(), after.elements[torn].end());
+  change.touched_nodes.push_back(old_node);
+  std::sort(change.touched_nodes.begin(), change.touched_nodes.end());
+  update_tiles(after, NodeElements(after), body, joints, change, tiles);
   const auto expected = build_tiles(after, body, joints);
   REQUIRE(tiles.tile.size() == expected.tile.size());
   for (std::size_t t = 0; t < tiles.tile.size(); ++t) CHECK(same_tile(tiles.tile[t], expected.tile[t]));

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "structure/dynamics/tile_building.hpp"
+#include "structure/dynamics/triangle.hpp"
+
+namespace fissura::structure {
+
+namespace {
+
+class TileUpdate {
+ public:
+  TileUpdate(const Mesh& mesh, const NodeElements& elements, const Body& body,
+             const std::vector<NodeIndex>& joint_nodes, const MeshChange& change, Tiles& tiles)
+      : mesh_(mesh),
+        elements_(elements),
+        body_(body),
+        joint_nodes_(joint_nodes),
+        change_(change),
+        tiles_(tiles),
+        stale_(tiles.tile.size(), 0) {}
+
+  void run() {
+    rename_moved();
+    drop_removed();
+    place_made();
+    mark_tiles_of_nodes();
+    cut_large_tiles();
+    remove_empty_tiles();
+    find_shared_nodes();
+    TileBuilder builder(mesh_, body_, tiles_.shares);
+    for (std::size_t t = 0; t < tiles_.tile.size(); ++t)
+      if (stale_[t]) builder.build(tiles_.tile[t]);
+    link_tiles(joint_nodes_, tiles_);
+  }
+
+ private:
+  // Places stay where they are until all are known: `from` of a moved element may lie in a tile of removed
+  // ones, and `to` is the index of a removed one.
+  void rename_moved() {
+    std::vector<std::uint32_t> tile;
+    for (const MovedElement& moved : change_.moved) tile.push_back(tiles_.tile_of_element[moved.from]);
+    std::vector<ElementIndex*> place;
+    for (std::size_t i = 0; i < tile.size(); ++i) {
+      auto& elements = tiles_.tile[tile[i]].elements;
+      place.push_back(&*std::find(elements.begin(), elements.end(), change_.moved[i].from));
+    }
+    list_freed_places();
+    for (std::size_t i = 0; i < tile.size(); ++i) *place[i] = change_.moved[i].to;
+    moved_tile_ = std::move(tile);
+  }
+
+  // A removed element whose index a made one has keeps its place.
+  void list_freed_places() {
+    for (const ElementIndex element : change_.removed) {
+      const std::uint32_t t = tiles_.tile_of_element[element];
+      stale_[t] = 1;
+      if (std::binary_search(change_.made.begin(), change_.made.end(), element)) continue;
+      auto& elements = tiles_.tile[t].elements;
+      *std::find(elements.begin(), elements.end(), element) = freed;
+    }
+  }
+
+  void drop_removed() {
+    for (std::size_t t = 0; t < stale_.size(); ++t)
+      if (stale_[t]) std::erase(tiles_.tile[t].elements, freed);
+    tiles_.tile_of_element.resize(mesh_.elements.size());
+    for (std::size_t i = 0; i < moved_tile_.size(); ++i)
+      tiles_.tile_of_element[change_.moved[i].to] = moved_tile_[i];
+  }
+
+  void place_made() {
+    const auto size = [this](std::size_t t) { return tiles_.tile[t].elements.size(); };
+    for (const ElementIndex element : change_.made) {
+      if (std::binary_search(change_.removed.begin(), change_.removed.end(), element)) continue;
+      std::size_t smallest = stale_.size();
+      for (std::size_t t = 0; t < stale_.size(); ++t)
+        if (stale_[t] && (smallest == stale_.size() || size(t) < size(smallest))) smallest = t;
+      if (smallest == stale_.size()) smallest = 0;
+      tiles_.tile[smallest].elements.push_back(element);
+      tiles_.tile_of_element[element] = static_cast<std::uint32_t>(smallest);
+      stale_[smallest] = 1;
+    }
+  }
+
+  void mark_tiles_of_nodes() {
+    for (const NodeIndex node : changed_nodes(change_)) {
+      nodes_.push_back(node);
+      for (const ElementIndex element : elements_.of(node)) stale_[tiles_.tile_of_element[element]] = 1;
+    }
+  }
+
+  void cut_large_tiles() {
+    for (std::size_t t = 0; t < tiles_.tile.size(); ++t) {
+      if (tiles_.tile[t].elements.size() <= 2 * elements_per_tile) continue;
+      for (const ElementIndex element : tiles_.tile[t].elements)
+        nodes_.insert(nodes_.end(), mesh_.elements[element].begin(), mesh_.elements[element].end());
+      cut(t);
+    }
+  }
+
+  // Across its longer extent, with the elements of each half in their order.
+  void cut(std::size_t t) {
+    const std::vector<ElementIndex> whole = std::move(tiles_.tile[t].elements);
+    std::array<double, 2> low = centroid(mesh_, whole.front()), high = low;
+    for (const ElementIndex element : whole)
+      for (int axis = 0; axis < 2; ++axis) {
+        low[axis] = std::min(low[axis], centroid(mesh_, element)[axis]);
+        high[axis] = std::max(high[axis], centroid(mesh_, element)[axis]);
+      }
+    const int axis = high[0] - low[0] >= high[1] - low[1] ? 0 : 1;
+    std::vector<std::pair<double, ElementIndex>> along;
+    for (const ElementIndex element : whole) along.emplace_back(centroid(mesh_, element)[axis], element);
+    const auto middle = along.begin() + static_cast<std::ptrdiff_t>(along.size() / 2);
+    std::nth_element(along.begin(), middle, along.end());
+    Tile second;
+    tiles_.tile[t].elements.clear();
+    for (const ElementIndex element : whole) {
+      const bool first = std::pair(centroid(mesh_, element)[axis], element) < *middle;
+      (first ? tiles_.tile[t] : second).elements.push_back(element);
+      if (!first) tiles_.tile_of_element[element] = static_cast<std::uint32_t>(tiles_.tile.size());
+    }
+    tiles_.tile.push_back(std::move(second));
+    stale_[t] = 1;
+    stale_.push_back(1);
+  }
+
+  void remove_empty_tiles() {
+    for (std::size_t t = tiles_.tile.size(); t-- > 0;) {
+      if (!tiles_.tile[t].elements.empty()) continue;
+      tiles_.tile[t] = std::move(tiles_.tile.back());
+      stale_[t] = stale_.back();
+      tiles_.tile.pop_back();
+      stale_.pop_back();
+      if (t == tiles_.tile.size()) continue;
+      for (const ElementIndex element : tiles_.tile[t].elements)
+        tiles_.tile_of_element[element] = static_cast<std::uint32_t>(t);
+    }
+  }
+
+  void find_shared_nodes() {
+    tiles_.shares.resize(mesh_.position.size(), 0);
+    for (const NodeIndex node : nodes_) {
+      const auto around = elements_.of(node);
+      bool shared = !around.empty() && (is_held(body_, node) ||
+                                        std::binary_search(joint_nodes_.begin(), joint_nodes_.end(), node));
+      for (const ElementIndex element : around)
+        shared |= tiles_.tile_of_element[element] != tiles_.tile_of_element[around.front()];
+      tiles_.shares[node] = shared ? 1 : 0;
+    }
+  }
+
+  static constexpr ElementIndex freed = 0xffffffffu;
+
+  const Mesh& mesh_;
+  const NodeElements& elements_;
+  const Body& body_;
+  const std::vector<NodeIndex>& joint_nodes_;
+  const MeshChange& change_;
+  Tiles& tiles_;
+  std::vector<std::uint8_t> stale_;
+  std::vector<std::uint32_t> moved_tile_;
+  std::vector<NodeIndex> nodes_;
+};
+
+}  // namespace
+
+void update_tiles(const Mesh& mesh, const NodeElements& elements, const Body& body,
+                  const std::vector<NodeIndex>& joint_nodes, const MeshChange& change, Tiles& tiles) {
+  TileUpdate(mesh, elements, body, joint_nodes, change, tiles).run();
+}
+
+}  // namespace fissura::structure
