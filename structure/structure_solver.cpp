@@ -9,6 +9,7 @@
 #include "common/errors.hpp"
 #include "common/fracture_network/insertion_json.hpp"
 #include "common/log.hpp"
+#include "structure/fracture/growth.hpp"
 #include "structure/joints/joint_observation.hpp"
 #include "structure/joints/network_topology.hpp"
 #include "structure/joints/wet_release.hpp"
@@ -46,6 +47,9 @@ void StructureSolver::describe_state(Message& reply) {
   reply.add("broken", "1", seen.broken);
   reply.body["stable_step"] = stable_step(*model_, geometry_, *state_);
   reply.body["mass_scale"] = state_->mass_scaling.scale();
+  reply.body["elements"] = geometry_.mesh.elements.size();
+  if (!remeshing_.empty()) reply.body["remeshing"] = remeshing_json(remeshing_);
+  remeshing_.clear();
 }
 
 Message StructureSolver::advance(const Message& command) {
@@ -61,15 +65,24 @@ Message StructureSolver::advance(const Message& command) {
   Message response(MessageType::response);
   describe_state(response);
   response.body["steps"] = steps;
-  response.body["energy"]["kinetic"] = model_->run_case.domain.thickness * run_->kinetic_energy();
+  const double thickness = model_->run_case.domain.thickness;
+  response.body["energy"]["kinetic"] = thickness * run_->kinetic_energy();
+  response.body["energy"]["cohesive"] = thickness * cohesive_work(geometry_.mesh, state_->joints);
   if (command.value<bool>("strain_energy"))
     response.body["energy"]["strain"] = strain_energy_of_body(*model_, geometry_, *state_);
-  if (const std::optional<Insertion> proposal = growth())
+  if (const std::optional<Insertion> proposal = propose_growth())
     response.body["insertion"] = insertion_to_json(*proposal);
   return response;
 }
 
 std::string StructureSolver::insert(const Insertion& insertion) {
+  if (growth_) {
+    if (insertion != growth_->insertion)
+      throw ProtocolError(fmt::format("INSERT of revision {} is not the growth that the structure proposed", insertion.revision));
+    remeshing_ = grow(*growth_, *model_, geometry_, *state_);
+    growth_.reset();
+    rebuild_run();
+  }
   for (const NetworkNode& node : insertion.new_nodes) {
     const VertexIndex vertex = vertex_of(node.id);
     if (vertex >= geometry_.mesh.vertices.size() || geometry_.mesh.vertices[vertex].units.empty())
@@ -99,11 +112,12 @@ void StructureSolver::restore(const std::vector<std::byte>& bytes) {
   geometry_.network = FractureNetwork();
   for (const Insertion& insertion : insertions_) geometry_.network.apply(insertion);
   state_.emplace(std::move(snapshot.state));
-  run_ = std::make_unique<StructureRun>(*model_, geometry_);
+  growth_.reset();
+  rebuild_run();
 }
 
 nlohmann::json StructureSolver::finish() {
-  const LoopTimes& times = run_->loop_times();
+  const LoopTimes times = loop_times();
   return {{"elements", geometry_.mesh.elements.size()},
           {"nodes", geometry_.mesh.position.size()},
           {"explicit_steps", steps_},
@@ -123,11 +137,28 @@ void StructureSolver::set_ramps_of(const Message& command) {
   set_ramps(geometry_.mesh, geometry_.network, ramps, state_->joints);
 }
 
-std::optional<Insertion> StructureSolver::growth() const {
+std::optional<Insertion> StructureSolver::propose_growth() {
+  if (model_->run_case.growth.path == PathRule::free) {
+    growth_ = plan_growth(*model_, geometry_, *state_, time_);
+    if (!growth_) return std::nullopt;
+    return growth_->insertion;
+  }
   const std::vector<VertexIndex> vertices =
       vertices_to_release(geometry_.mesh, state_->joints, geometry_.network);
   if (vertices.empty()) return std::nullopt;
-  return connect(geometry_.mesh, model_->run_case, geometry_.network, vertices, time_);
+  return connect(geometry_.mesh, geometry_.network, vertices, time_);
+}
+
+void StructureSolver::rebuild_run() {
+  earlier_loops_ = loop_times();
+  run_ = std::make_unique<StructureRun>(*model_, geometry_);
+}
+
+LoopTimes StructureSolver::loop_times() const {
+  LoopTimes times = run_->loop_times();
+  times.elements += earlier_loops_.elements;
+  times.joints += earlier_loops_.joints;
+  return times;
 }
 
 }  // namespace fissura::structure

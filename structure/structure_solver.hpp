@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/exchange/participant.hpp"
+#include "structure/fracture/growth.hpp"
 #include "structure/structure_run.hpp"
 
 namespace fissura::structure {
@@ -24,12 +25,17 @@ class StructureSolver : public Solver {
 
  private:
   void set_ramps_of(const Message& command);
-  [[nodiscard]] std::optional<Insertion> growth() const;
+  std::optional<Insertion> propose_growth();
+  void rebuild_run();
+  [[nodiscard]] LoopTimes loop_times() const;
 
   std::optional<StructureModel> model_;
   Geometry geometry_;
   std::optional<StructureState> state_;
   std::unique_ptr<StructureRun> run_;
+  LoopTimes earlier_loops_;                      ///< of runs before the last change of the geometry
+  std::optional<GrowthPlan> growth_;             ///< proposed to the coupler, not yet carried out
+  std::vector<RemeshRecord> remeshing_;          ///< of the last insertion, until it is acknowledged
   double time_ = 0;                              ///< of the last coupling [s]
   std::uint64_t steps_ = 0;                      ///< explicit steps so far
   std::vector<Insertion> insertions_;            ///< all so far, from revision 0

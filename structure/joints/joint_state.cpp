@@ -5,9 +5,9 @@
 
 namespace fissura::structure {
 
-namespace {
-
-JointProperties properties_of(const ContactUnit& unit, const FractureLine& line, const Rock& rock) {
+JointProperties joint_properties(const Mesh& mesh, UnitIndex index, const Rock& rock) {
+  const ContactUnit& unit = mesh.units[index];
+  const FractureLine& line = mesh.lines[unit.line];
   JointProperties properties;
   properties.kind = line.kind;
   properties.friction_coefficient = line.friction_coefficient;
@@ -19,7 +19,12 @@ JointProperties properties_of(const ContactUnit& unit, const FractureLine& line,
   return properties;
 }
 
-}  // namespace
+double cohesive_work(const Mesh& mesh, const Joints& joints) {
+  double work = 0;
+  for (UnitIndex unit = 0; unit < mesh.units.size(); ++unit)
+    work += mesh.units[unit].length * joints.properties[unit].cohesive.spent_energy(joints.state[unit].greatest_separation);
+  return work;
+}
 
 VertexIndex nearest_split_vertex(const Mesh& mesh, const Point& position) {
   VertexIndex nearest = 0;
@@ -40,16 +45,17 @@ Joints make_joints(const Mesh& mesh, const Case& run_case) {
   Joints joints;
   joints.state.resize(mesh.units.size());
   joints.ramp.resize(mesh.units.size());
-  for (const ContactUnit& unit : mesh.units) {
+  for (UnitIndex index = 0; index < mesh.units.size(); ++index) {
+    const ContactUnit& unit = mesh.units[index];
     const FractureLine& line = mesh.lines[unit.line];
-    joints.properties.push_back(properties_of(unit, line, run_case.rock));
+    joints.properties.push_back(joint_properties(mesh, index, run_case.rock));
     joints.released.push_back(line.kind != FractureKind::intact);
     if (line.kind == FractureKind::natural) {
       const Point& at = mesh.vertices[unit.vertex].position;
       const InSitu& in_situ = run_case.in_situ;
       const double pore_pressure = in_situ.pore_pressure + in_situ.pore_pressure_gradient[0] * at[0] +
                                    in_situ.pore_pressure_gradient[1] * at[1];
-      joints.ramp[joints.properties.size() - 1] = {pore_pressure, pore_pressure, 0, 0, 0};
+      joints.ramp[index] = {pore_pressure, pore_pressure, 0, 0, 0};
     }
   }
   for (const Perforation& perforation : run_case.injection.perforations)

@@ -47,6 +47,12 @@ struct Joints {
   }
 };
 
+/// Properties of a unit of `mesh`: those of its line, with the strength that edges of this length can carry.
+JointProperties joint_properties(const Mesh& mesh, UnitIndex unit, const Rock& rock);
+
+/// Energy spent on the cohesion of all units so far, per unit thickness [J/m].
+double cohesive_work(const Mesh& mesh, const Joints& joints);
+
 /// The fracture vertex whose faces can separate that is nearest to `position`. @pre there is one
 VertexIndex nearest_split_vertex(const Mesh& mesh, const Point& position);
 

@@ -22,8 +22,14 @@ NetworkNode make_node(const Mesh& mesh, VertexIndex index, double time) {
   node.id = index;
   node.x = vertex.position[0];
   node.y = vertex.position[1];
-  for (const UnitIndex unit : vertex.units) node.lumped_length += mesh.units[unit].length;
-  node.fracture = mesh.units[vertex.units.front()].line;
+  double strength = -1;
+  for (const FractureEdge& edge : mesh.edges) {
+    if (edge.begin != index && edge.end != index) continue;
+    node.lumped_length += edge.length / 2;
+    if (mesh.lines[edge.line].tensile_strength <= strength) continue;
+    strength = mesh.lines[edge.line].tensile_strength;
+    node.fracture = edge.line;
+  }
   node.exposure_time = time;
   return node;
 }
@@ -35,7 +41,7 @@ NodeRole role_of(std::size_t degree, bool perforated) {
 }
 
 /// Completes `insertion` (its new nodes given) with segments, parents and roles.
-void connect_nodes(const Mesh& mesh, const Case& run_case, const FractureNetwork& network, Insertion& insertion) {
+void connect_nodes(const Mesh& mesh, const FractureNetwork& network, Insertion& insertion) {
   std::set<VertexIndex> members, added;
   for (const NetworkNode& node : network.nodes()) members.insert(vertex_of(node.id));
   for (const NetworkNode& node : insertion.new_nodes) added.insert(vertex_of(node.id));
@@ -69,8 +75,10 @@ void connect_nodes(const Mesh& mesh, const Case& run_case, const FractureNetwork
     if (added.contains(vertex)) continue;
     NetworkNode node = network.nodes()[network.index_of(vertex)];
     const NodeRole role = role_of(degree[vertex], perforated(node.id));
-    if (role == node.role) continue;
+    const double length = make_node(mesh, vertex, node.exposure_time).lumped_length;
+    if (role == node.role && length == node.lumped_length) continue;
     node.role = role;
+    node.lumped_length = length;
     insertion.updated_nodes.push_back(node);
   }
 }
@@ -86,7 +94,7 @@ Insertion first_insertion(const Mesh& mesh, const Joints& joints, const Case& ru
     });
     if (open) insertion.new_nodes.push_back(make_node(mesh, v, 0));
   }
-  if (insertion.new_nodes.empty())
+  if (insertion.new_nodes.empty() && !run_case.injection.perforations.empty())
     throw InputError("no open fracture has a mesh vertex inside it: lengthen it or lower mesh.fracture_size");
   for (const Perforation& perforation : run_case.injection.perforations) {
     const VertexIndex vertex = nearest_split_vertex(mesh, perforation.position);
@@ -97,16 +105,16 @@ Insertion first_insertion(const Mesh& mesh, const Joints& joints, const Case& ru
                                    perforation.name, perforation.position[0], perforation.position[1]));
     insertion.new_perforations.push_back({perforation.name, vertex});
   }
-  connect_nodes(mesh, run_case, FractureNetwork(), insertion);
+  connect_nodes(mesh, FractureNetwork(), insertion);
   return insertion;
 }
 
-Insertion connect(const Mesh& mesh, const Case& run_case, const FractureNetwork& network,
-                  const std::vector<VertexIndex>& vertices, double time) {
+Insertion connect(const Mesh& mesh, const FractureNetwork& network, const std::vector<VertexIndex>& vertices,
+                  double time) {
   Insertion insertion;
   insertion.revision = network.revision() + 1;
   for (const VertexIndex vertex : vertices) insertion.new_nodes.push_back(make_node(mesh, vertex, time));
-  connect_nodes(mesh, run_case, network, insertion);
+  connect_nodes(mesh, network, insertion);
   return insertion;
 }
 

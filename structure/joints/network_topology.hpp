@@ -17,8 +17,9 @@ inline VertexIndex vertex_of(NodeId node) { return static_cast<VertexIndex>(node
 /// perforation lies on none of them.
 Insertion first_insertion(const Mesh& mesh, const Joints& joints, const Case& run_case);
 
-/// The change that connects `vertices` (mesh vertices with contact units, not yet in `network`) to it at `time` [s].
-Insertion connect(const Mesh& mesh, const Case& run_case, const FractureNetwork& network,
-                  const std::vector<VertexIndex>& vertices, double time);
+/// The change that connects `vertices` (split fracture vertices not yet in `network`) to it at `time` [s]; nodes of the network at new
+/// junctions are updated. Of the mesh only lines, vertices' positions and edges are looked at.
+Insertion connect(const Mesh& mesh, const FractureNetwork& network, const std::vector<VertexIndex>& vertices,
+                  double time);
 
 }  // namespace fissura::structure

@@ -15,7 +15,7 @@ PlanarMesh mesh_domain(const Case& given) {
   const MeshRegion region(given.domain, field);
 
   PointCloud cloud = place_interior_points(lines, prescribed, region, given.mesh);
-  std::vector<Triangle> triangles = relax_points(cloud, prescribed.edges, region);
+  std::vector<PointTriple> triangles = relax_points(cloud, prescribed.edges, region);
   return {std::move(cloud.points), std::move(triangles), std::move(prescribed.line_edges)};
 }
 

@@ -17,7 +17,7 @@ struct LineEdge {
 /// The triangulated domain before it is cut along the fracture lines.
 struct PlanarMesh {
   std::vector<Point> points;         ///< [m]
-  std::vector<Triangle> triangles;   ///< counter-clockwise; together they fill the domain
+  std::vector<PointTriple> triangles;   ///< counter-clockwise; together they fill the domain
   std::vector<LineEdge> line_edges;  ///< line by line, along each line
 };
 

@@ -37,7 +37,7 @@ class Relaxation {
     }
   }
 
-  std::vector<Triangle> run() {
+  std::vector<PointTriple> run() {
     connect();
     for (int round = 0; round < adapting_rounds; ++round) {
       split_and_remove();
@@ -52,7 +52,7 @@ class Relaxation {
   void connect() {
     triangles_ = triangulate(cloud_.points, edges_);
     first_.assign(cloud_.points.size() + 1, 0);
-    for (const Triangle& t : triangles_)
+    for (const PointTriple& t : triangles_)
       for (const std::uint32_t p : t) ++first_[p + 1];
     for (std::size_t p = 0; p < cloud_.points.size(); ++p) first_[p + 1] += first_[p];
     incident_.resize(first_.back());
@@ -76,7 +76,7 @@ class Relaxation {
     enum : char { untouched, kept, removed };
     std::vector<char> mark(cloud_.points.size(), untouched);
     std::vector<Point> added;
-    for (const Triangle& t : triangles_)
+    for (const PointTriple& t : triangles_)
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t a = t[k], b = t[(k + 1) % 3];
         if (a > b || mark[a] != untouched || mark[b] != untouched) continue;
@@ -195,13 +195,13 @@ class Relaxation {
   const MeshRegion& region_;
   std::vector<MeshRegion::Sample> sample_;
   double finest_ = std::numeric_limits<double>::infinity();  // smallest target size [m]
-  std::vector<Triangle> triangles_;
+  std::vector<PointTriple> triangles_;
   std::vector<std::uint32_t> first_, incident_;  // triangles around each point
 };
 
 }  // namespace
 
-std::vector<Triangle> relax_points(PointCloud& cloud, std::span<const PointPair> edges,
+std::vector<PointTriple> relax_points(PointCloud& cloud, std::span<const PointPair> edges,
                                    const MeshRegion& region) {
   return Relaxation(cloud, edges, region).run();
 }

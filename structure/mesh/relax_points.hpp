@@ -18,7 +18,7 @@ namespace fissura::structure {
 /// 5th Int. Meshing Roundtable (1996) 63). Then points around angles that are still small search the place of
 /// the largest smallest angle (Freitag and Ollivier-Gooch, Int. J. Numer. Methods Eng. 40 (1997) 3979). No
 /// point crosses a line or a side.
-std::vector<Triangle> relax_points(PointCloud& cloud, std::span<const PointPair> edges,
+std::vector<PointTriple> relax_points(PointCloud& cloud, std::span<const PointPair> edges,
                                    const MeshRegion& region);
 
 }  // namespace fissura::structure

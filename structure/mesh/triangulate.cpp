@@ -36,14 +36,14 @@ std::vector<Delaunay::Vertex_handle> insert_points(Delaunay& delaunay, std::span
   return vertex;
 }
 
-Triangle lowest_first(Triangle t) {
+PointTriple lowest_first(PointTriple t) {
   std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   return t;
 }
 
 }  // namespace
 
-std::vector<Triangle> triangulate(std::span<const Point> points, std::span<const PointPair> edges) {
+std::vector<PointTriple> triangulate(std::span<const Point> points, std::span<const PointPair> edges) {
   Delaunay delaunay;
   const auto vertex = insert_points(delaunay, points);
   const auto fault = [&](const PointPair& edge) {
@@ -62,7 +62,7 @@ std::vector<Triangle> triangulate(std::span<const Point> points, std::span<const
   for (const PointPair& edge : edges)
     if (!delaunay.is_edge(vertex[edge[0]], vertex[edge[1]])) throw fault(edge);
 
-  std::vector<Triangle> triangles;
+  std::vector<PointTriple> triangles;
   triangles.reserve(delaunay.number_of_faces());
   for (const auto face : delaunay.finite_face_handles())
     triangles.push_back(

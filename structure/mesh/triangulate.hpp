@@ -11,7 +11,7 @@
 /// The door to CGAL.
 namespace fissura::structure {
 
-using Triangle = std::array<std::uint32_t, 3>;
+using PointTriple = std::array<std::uint32_t, 3>;
 using PointPair = std::array<std::uint32_t, 2>;
 
 /// The constrained Delaunay triangulation of `points` [m] over their convex hull: every pair in `edges`
@@ -19,6 +19,6 @@ using PointPair = std::array<std::uint32_t, 2>;
 /// counter-clockwise, lowest index first, in an order that depends on the arguments only. Exact predicates,
 /// constructions in double (CGAL, package 2D Triangulations). Throws SolverError if two points coincide, two
 /// edges cross or a point lies inside an edge.
-std::vector<Triangle> triangulate(std::span<const Point> points, std::span<const PointPair> edges);
+std::vector<PointTriple> triangulate(std::span<const Point> points, std::span<const PointPair> edges);
 
 }  // namespace fissura::structure

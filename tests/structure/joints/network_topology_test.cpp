@@ -62,7 +62,7 @@ TEST_CASE("growth at both tips connects each new vertex to its neighbour", "[str
   Fracture fracture;
   FractureNetwork network;
   network.apply(first_insertion(fracture.mesh, fracture.joints, fracture.run_case));
-  const Insertion growth = connect(fracture.mesh, fracture.run_case, network, {2, 6}, 1.5);
+  const Insertion growth = connect(fracture.mesh, network, {2, 6}, 1.5);
   CHECK(growth.revision == 1);
   REQUIRE(growth.new_nodes.size() == 2);
   CHECK(growth.new_nodes[0].exposure_time == 1.5);
@@ -87,7 +87,7 @@ TEST_CASE("the network is told gap plus stored aperture, and the pressure that w
   Fracture fracture;
   FractureNetwork network;
   network.apply(first_insertion(fracture.mesh, fracture.joints, fracture.run_case));
-  network.apply(connect(fracture.mesh, fracture.run_case, network, {6}, 0));
+  network.apply(connect(fracture.mesh, network, {6}, 0));
   fracture.joints.state[3].opening = 1e-4;
   fracture.joints.state[3].closed = false;
   fracture.joints.state[5].held_normal = -5e6;

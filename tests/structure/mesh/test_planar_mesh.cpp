@@ -66,7 +66,7 @@ TEST_CASE("edges are as long as the size field says", "[structure][mesh]") {
   const PlanarMesh mesh = mesh_domain(given);
   const SizeField field(given.mesh, stretches(arrange_lines(given), given.mesh));
   std::vector<double> ratio;
-  for (const Triangle& t : mesh.triangles)
+  for (const PointTriple& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) {
       const Point a = mesh.points[t[k]], b = mesh.points[t[(k + 1) % 3]];
       ratio.push_back(distance(a, b) / field.size({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2}));
@@ -82,7 +82,7 @@ TEST_CASE("edges are as long as the size field says", "[structure][mesh]") {
 TEST_CASE("every line edge is an edge of exactly two triangles", "[structure][mesh]") {
   const PlanarMesh mesh = mesh_domain(touching());
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> count;
-  for (const Triangle& t : mesh.triangles)
+  for (const PointTriple& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) ++count[std::minmax(t[k], t[(k + 1) % 3])];
   for (const LineEdge& edge : mesh.line_edges) CHECK(count[std::minmax(edge.begin, edge.end)] == 2);
   for (const auto& [edge, triangles] : count) REQUIRE((triangles == 1 || triangles == 2));

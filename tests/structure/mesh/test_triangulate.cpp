@@ -19,17 +19,17 @@ const std::vector<Point> around_an_edge{{0, 0}, {10, 0}, {3, 0.1}, {7, -0.1}, {5
 
 TEST_CASE("a constraint stays one edge however near other points are", "[structure][mesh]") {
   const std::vector<PointPair> edges{{0, 1}};
-  const std::vector<Triangle> triangles = triangulate(around_an_edge, edges);
-  const auto has_edge = [](const Triangle& t) { return t[0] == 0 && (t[1] == 1 || t[2] == 1); };
+  const std::vector<PointTriple> triangles = triangulate(around_an_edge, edges);
+  const auto has_edge = [](const PointTriple& t) { return t[0] == 0 && (t[1] == 1 || t[2] == 1); };
   CHECK(std::count_if(triangles.begin(), triangles.end(), has_edge) == 2);
-  const std::vector<Triangle> free = triangulate(around_an_edge, {});
+  const std::vector<PointTriple> free = triangulate(around_an_edge, {});
   CHECK(std::count_if(free.begin(), free.end(), has_edge) == 0);
 }
 
 TEST_CASE("triangles are counter-clockwise, fill the convex hull and use every point", "[structure][mesh]") {
   std::set<std::uint32_t> used;
   double twice = 0;
-  for (const Triangle& t : triangulate(around_an_edge, {})) {
+  for (const PointTriple& t : triangulate(around_an_edge, {})) {
     const double one = twice_area(around_an_edge[t[0]], around_an_edge[t[1]], around_an_edge[t[2]]);
     CHECK(one > 0);
     twice += one;

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structure/fracture/connected_elements.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+namespace fissura::structure {
+
+std::vector<ElementIndex> connected_elements(const Mesh& mesh, const NodeElements& node_elements, NodeIndex start,
+                                             const Point& centre, double radius) {
+  std::vector<ElementIndex> found;
+  std::unordered_set<ElementIndex> seen_elements;
+  std::unordered_set<NodeIndex> seen_nodes{start};
+  std::vector<NodeIndex> front{start};
+  while (!front.empty()) {
+    const NodeIndex node = front.back();
+    front.pop_back();
+    for (const ElementIndex element : node_elements.of(node)) {
+      if (!seen_elements.insert(element).second) continue;
+      found.push_back(element);
+      for (const NodeIndex corner : mesh.elements[element]) {
+        const Point& at = mesh.position[corner];
+        if (std::hypot(at[0] - centre[0], at[1] - centre[1]) > radius) continue;
+        if (seen_nodes.insert(corner).second) front.push_back(corner);
+      }
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace fissura::structure

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structure/fracture/growth.hpp"
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "structure/fracture/state_transfer.hpp"
+
+namespace fissura::structure {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// A unit that is a part of an older one starts with all it knew; the others are fresh breaks of the rock.
+void extend_joints(const GrowthPlan& plan, const MeshInsertion& insertion, const Mesh& mesh, const Rock& rock, Joints& joints) {
+  UnitIndex next = insertion.change.new_units.empty() ? 0 : insertion.change.new_units.front();
+  for (const PatchPlan& patch : plan.patches)
+    for (const PlannedUnit& planned : patch.units) {
+      if (planned.same) continue;
+      joints.properties.push_back(planned.source ? joints.properties[*planned.source] : joint_properties(mesh, next, rock));
+      joints.state.push_back(planned.source ? joints.state[*planned.source] : JointState{});
+      joints.ramp.push_back(planned.source ? joints.ramp[*planned.source] : PressureRamp{});
+      joints.released.push_back(1);
+      ++next;
+    }
+}
+
+}  // namespace
+
+std::vector<RemeshRecord> grow(const GrowthPlan& plan, const StructureModel& model, Geometry& geometry,
+                               StructureState& state) {
+  const Clock::time_point start = Clock::now();
+  const double thickness = model.run_case.domain.thickness;
+  RemeshRecord common;
+  common.stable_step_before = stable_step(model, geometry, state);
+  const StateTransfer transfer(plan, model, geometry, state);
+  const MeshInsertion insertion = insert_into_mesh(plan, geometry.mesh);
+  follow(model, insertion.change, geometry);
+  extend_joints(plan, insertion, geometry.mesh, model.run_case.rock, state.joints);
+  const TransferBalance balance = transfer.carry_over(insertion, model, geometry, state);
+
+  common.untouched = insertion.change.elements_before - insertion.change.removed.size() - insertion.change.rewired.size();
+  common.stable_step_after = stable_step(model, geometry, state);
+  common.strain_energy_before = thickness * transfer.before().strain_energy;
+  common.strain_energy_after = thickness * balance.strain_energy;
+  common.kinetic_energy_before = thickness * transfer.before().kinetic_energy;
+  common.kinetic_energy_after = thickness * balance.kinetic_energy;
+  common.mass_error = balance.mass_error;
+  common.momentum_error = balance.momentum_error;
+  common.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count() / static_cast<double>(plan.patches.size());
+
+  std::vector<RemeshRecord> records;
+  for (const PatchPlan& patch : plan.patches) {
+    RemeshRecord record = common;
+    record.fracture = geometry.mesh.lines[patch.new_edges.front().line].name;
+    record.tip = patch.tip;
+    record.removed = patch.removed.size();
+    record.made = patch.made.size();
+    record.smallest_angle = patch.smallest_angle;
+    record.smallest_altitude = patch.smallest_altitude;
+    records.push_back(record);
+  }
+  return records;
+}
+
+nlohmann::json remeshing_json(const std::vector<RemeshRecord>& records) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const RemeshRecord& r : records)
+    list.push_back({{"fracture", r.fracture},
+                    {"x", r.tip[0]},
+                    {"y", r.tip[1]},
+                    {"elements_removed", r.removed},
+                    {"elements_made", r.made},
+                    {"elements_untouched", r.untouched},
+                    {"hash_before", r.hash_before},
+                    {"hash_after", r.hash_after},
+                    {"smallest_angle", r.smallest_angle},
+                    {"smallest_altitude", r.smallest_altitude},
+                    {"stable_step_before", r.stable_step_before},
+                    {"stable_step_after", r.stable_step_after},
+                    {"strain_energy_before", r.strain_energy_before},
+                    {"strain_energy_after", r.strain_energy_after},
+                    {"kinetic_energy_before", r.kinetic_energy_before},
+                    {"kinetic_energy_after", r.kinetic_energy_after},
+                    {"mass_error", r.mass_error},
+                    {"momentum_error", r.momentum_error},
+                    {"wall_seconds", r.wall_seconds}});
+  return list;
+}
+
+}  // namespace fissura::structure

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structure/fracture/growth_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "common/log.hpp"
+#include "structure/dynamics/in_situ.hpp"
+#include "structure/fracture/patch_selection.hpp"
+#include "structure/fracture/tip_stress.hpp"
+#include "structure/joints/network_topology.hpp"
+
+namespace fissura::structure {
+
+namespace {
+
+// In units of tip_size.
+constexpr double trigger_radius = 2, trigger_width = 1;
+constexpr double direction_radius = 3, direction_width = 1.5;
+constexpr double patch_radius = 2.2;
+constexpr double patch_growth = 1.35;  // of the radius after a failed attempt
+constexpr int patch_attempts = 4;
+constexpr double least_altitude = 0.4;  // about half of what the first mesh has at h, so that the stable step does not fall more
+
+class GrowthPlanner {
+ public:
+  GrowthPlanner(const StructureModel& model, const Geometry& geometry, const StructureState& state)
+      : model_(model), geometry_(geometry), state_(state), controls_(model.run_case.mesh) {}
+
+  std::optional<GrowthPlan> plan(double time) {
+    GrowthPlan plan;
+    Mesh fractures = fractures_of(geometry_.mesh);
+    std::vector<VertexIndex> released;
+    for (const FractureTip& tip : fracture_tips(geometry_.mesh)) {
+      if (!fails(tip)) continue;
+      std::optional<PatchPlan> patch = plan_segment(tip, fractures, plan);
+      if (!patch) continue;
+      fractures.vertices.insert(fractures.vertices.end(), patch->new_vertices.begin(), patch->new_vertices.end());
+      fractures.edges.insert(fractures.edges.end(), patch->new_edges.begin(), patch->new_edges.end());
+      fractures.lines.resize(geometry_.mesh.lines.size());
+      fractures.lines.insert(fractures.lines.end(), plan.new_lines.begin(), plan.new_lines.end());
+      for (const VertexIndex vertex : patch->split)
+        if (!geometry_.network.contains(vertex)) released.push_back(vertex);
+      plan.patches.push_back(std::move(*patch));
+    }
+    if (plan.patches.empty()) return std::nullopt;
+    std::sort(released.begin(), released.end());
+    plan.insertion = connect(fractures, geometry_.network, released, time);
+    return plan;
+  }
+
+ private:
+  static Mesh fractures_of(const Mesh& mesh) {
+    Mesh fractures;
+    fractures.lines = mesh.lines;
+    fractures.vertices = mesh.vertices;
+    fractures.edges = mesh.edges;
+    return fractures;
+  }
+
+  [[nodiscard]] InPlane<double> average(const FractureTip& tip, double radius, double width) const {
+    const double h = controls_.tip_size;
+    return average_stress(geometry_.mesh, geometry_.node_elements, geometry_.body, model_.moduli, state_.body.displacement,
+                          {tip.position, tip.node, tip.direction, radius * h, width * h});
+  }
+
+  [[nodiscard]] bool fails(const FractureTip& tip) const {
+    const Rock& rock = model_.run_case.rock;
+    const double strength =
+        tip_strength(rock.tensile_strength, rock.fracture_energy, rock.plane_strain_modulus(), controls_.tip_size);
+    const double pressure = std::max(adjacent_pressure(geometry_.mesh, state_.joints, tip),
+                                     in_situ_state(model_.run_case, tip.position).pore_pressure);
+    const Principal stress = principal(average(tip, trigger_radius, trigger_width));
+    return stress.major + pressure >= model_.run_case.growth.trigger * strength;
+  }
+
+  std::optional<PatchPlan> plan_segment(const FractureTip& tip, const Mesh& fractures, GrowthPlan& plan) {
+    const Growth& growth = model_.run_case.growth;
+    const double h = controls_.tip_size;
+    const auto direction =
+        growth_direction(average(tip, direction_radius, direction_width), tip.direction, growth.turn_limit);
+    const NextSegment segment = next_segment(geometry_.mesh, model_.run_case.domain, tip, direction, growth.segment_length * h, h);
+    if (!segment.end) return std::nullopt;
+    const std::vector<Point> line{tip.position, segment.end->position};
+    double radius = patch_radius * h;
+    for (int attempt = 0; attempt < patch_attempts; ++attempt, radius *= patch_growth) {
+      const PatchChoice choice =
+          choose_patch(geometry_.mesh, geometry_.node_elements, controls_, {tip.node, line[0], line[1], radius});
+      if (touches_taken(choice.elements)) return std::nullopt;
+      const PatchOutline edge = outline(geometry_.mesh, choice.elements, fracture_nodes(geometry_.mesh));
+      const auto mesh = mesh_patch(edge, line, choice.field, least_altitude * h);
+      if (!mesh) continue;
+      take(choice.elements);
+      return plan_patch({geometry_.mesh, geometry_.node_elements, fractures.vertices.size(), line_of(tip, plan)}, tip,
+                        *segment.end, choice.elements, edge, *mesh);
+    }
+    log::warn(fmt::format("no good mesh for a fracture segment from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m: it waits",
+                             line[0][0], line[0][1], line[1][0], line[1][1]));
+    return std::nullopt;
+  }
+
+  // Nodes of the patch and of the elements around it: an insertion gives some of those another node.
+  void take(const std::vector<ElementIndex>& elements) {
+    for (const ElementIndex element : elements)
+      for (const NodeIndex node : geometry_.mesh.elements[element]) taken_.insert(node);
+  }
+  [[nodiscard]] bool touches_taken(const std::vector<ElementIndex>& elements) const {
+    for (const ElementIndex element : elements)
+      for (const NodeIndex node : geometry_.mesh.elements[element])
+        for (const ElementIndex around : geometry_.node_elements.of(node))
+          for (const NodeIndex corner : geometry_.mesh.elements[around])
+            if (taken_.contains(corner)) return true;
+    return false;
+  }
+
+  // What grew from a line is a line of its own: it has the strength of the rock.
+  std::uint32_t line_of(const FractureTip& tip, GrowthPlan& plan) {
+    const auto& lines = geometry_.mesh.lines;
+    if (lines[tip.line].kind == FractureKind::intact) return tip.line;
+    const std::string name = "growth of " + lines[tip.line].name;
+    for (std::uint32_t k = 0; k < lines.size(); ++k)
+      if (lines[k].name == name) return k;
+    for (std::uint32_t k = 0; k < plan.new_lines.size(); ++k)
+      if (plan.new_lines[k].name == name) return static_cast<std::uint32_t>(lines.size() + k);
+    const Rock& rock = model_.run_case.rock;
+    plan.new_lines.push_back({name, FractureKind::intact, {}, rock.tensile_strength, rock.fracture_energy,
+                              rock.friction_coefficient, 0});
+    return static_cast<std::uint32_t>(lines.size() + plan.new_lines.size() - 1);
+  }
+
+  const StructureModel& model_;
+  const Geometry& geometry_;
+  const StructureState& state_;
+  const MeshControls& controls_;
+  std::unordered_set<NodeIndex> taken_;
+};
+
+}  // namespace
+
+std::optional<GrowthPlan> plan_growth(const StructureModel& model, const Geometry& geometry, const StructureState& state,
+                                      double time) {
+  return GrowthPlanner(model, geometry, state).plan(time);
+}
+
+}  // namespace fissura::structure
