@@ -27,10 +27,10 @@ Message structure_fields(const StructureModel& model, const Geometry& geometry, 
   const std::size_t nodes = geometry.mesh.position.size();
   fields.add("displacement", "m", state.body.displacement, nodes, 2);
   fields.add("velocity", "m/s", state.body.velocity, nodes, 2);
+  const std::vector<ElementDamage> failed = damage_records(geometry.tiles, state.body.damage);
   std::vector<double> xx, yy, xy, zz;
-  for (const ElementStress& stress : effective_stress(geometry.mesh, geometry.body, model.moduli,
-                                                      state.body.displacement,
-                                                      damage_records(geometry.tiles, state.body.damage))) {
+  for (const ElementStress& stress :
+       effective_stress(geometry.mesh, geometry.body, model.moduli, state.body.displacement, failed)) {
     xx.push_back(stress.in_plane.xx);
     yy.push_back(stress.in_plane.yy);
     xy.push_back(stress.in_plane.xy);
@@ -40,6 +40,10 @@ Message structure_fields(const StructureModel& model, const Geometry& geometry, 
   fields.add("effective_stress_yy", "Pa", yy);
   fields.add("effective_stress_xy", "Pa", xy);
   fields.add("effective_stress_zz", "Pa", zz);
+  if (model.run_case.bulk_failure.active) {
+    fields.add("damage", "1", damage_field(geometry.mesh, failed));
+    fields.add("plastic_strain", "1", plastic_strain_field(geometry.mesh, failed));
+  }
   return fields;
 }
 

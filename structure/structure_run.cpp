@@ -20,6 +20,12 @@ double seconds_between(Clock::time_point begin, Clock::time_point end) {
   return std::chrono::duration<double>(end - begin).count();
 }
 
+CentralDifference dynamics_of(const StructureModel& model, const Geometry& geometry) {
+  const Case& given = model.run_case;
+  if (!given.bulk_failure.active) return {geometry.body, geometry.tiles, model.moduli, model.threads};
+  return {geometry.body, geometry.tiles, model.moduli, rock_failure(given.rock, given.bulk_failure), model.threads};
+}
+
 void require_finite(double kinetic_energy, double time) {
   if (!std::isfinite(kinetic_energy))
     throw SolverError(fmt::format("the motion of the rock is no longer finite at {} s: lower dynamics.safety_factor", time));
@@ -30,7 +36,7 @@ void require_finite(double kinetic_energy, double time) {
 StructureRun::StructureRun(const StructureModel& model, const Geometry& geometry)
     : model_(model),
       geometry_(geometry),
-      dynamics_(geometry.body, geometry.tiles, model.moduli, model.threads),
+      dynamics_(dynamics_of(model, geometry)),
       joints_(geometry.mesh, geometry.joint_nodes) {}
 
 std::uint64_t StructureRun::advance(double begin, double end, StructureState& state) {
@@ -62,6 +68,13 @@ void scale_masses(const StructureModel& model, const Geometry& geometry, double 
     if (stage.begin > 0 && stage.begin > begin && stage.begin <= end)
       state.mass_scaling.note_pump_event(stage.begin, stage.ramp);
   state.mass_scaling.update(end, connected_half_length(geometry.network));
+}
+
+double failure_work(const StructureModel& model, const Geometry& geometry, const StructureState& state) {
+  const Case& given = model.run_case;
+  if (!given.bulk_failure.active) return 0;
+  return failure_dissipation(geometry.mesh, rock_failure(given.rock, given.bulk_failure),
+                             damage_records(geometry.tiles, state.body.damage));
 }
 
 }  // namespace fissura::structure

@@ -31,7 +31,9 @@ void follow(const StructureModel& model, const MeshChange& change, Geometry& geo
 }
 
 StructureState initial_state(const StructureModel& model, const Geometry& geometry) {
-  return {state_at_rest(geometry.body), make_joints(geometry.mesh, model.run_case),
+  State body = model.run_case.bulk_failure.active ? state_at_rest(geometry.body, geometry.tiles)
+                                                  : state_at_rest(geometry.body);
+  return {std::move(body), make_joints(geometry.mesh, model.run_case),
           MassScaling(model.run_case.dynamics, model.run_case.rock)};
 }
 

@@ -55,10 +55,10 @@ CentralDifference::CentralDifference(const Body& body, const Tiles& tiles, const
       workspace_(static_cast<std::size_t>(threads)) {}
 
 CentralDifference::CentralDifference(const Body& body, const Tiles& tiles, const Elasticity& moduli,
-                                     const RankineDamage& law, int threads)
+                                     const RockFailure& law, int threads)
     : CentralDifference(body, tiles, moduli, threads) {
   law_ = law;
-  lowest_strength_ = admissible_strength(law, longest_edge(tiles));
+  lowest_strength_ = lowest_strength(law.tension, longest_edge(tiles));
 }
 
 void CentralDifference::advance(State& state, const Step& step) {
@@ -91,7 +91,7 @@ void CentralDifference::advance_tile(std::size_t t, State& state, const StepFact
   const ReadAhead ahead(next < tiles_.tile.size() ? &tiles_.tile[next] : nullptr, state.displacement.data(),
                         state.velocity.data());
   if (law_)
-    add_damaging_forces(tile, moduli_, *law_, lowest_strength_, ahead, state.damage[t], workspace);
+    add_failing_forces(tile, moduli_, *law_, lowest_strength_, ahead, state.damage[t], workspace);
   else
     add_elastic_forces(tile, moduli_, ahead, workspace);
 

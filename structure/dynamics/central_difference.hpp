@@ -24,7 +24,7 @@ struct State {
 /// At rest at the in-situ state, of an elastic body.
 State state_at_rest(const Body& body);
 
-/// The same of a body that can soften, undamaged.
+/// The same of a body that can fail, undamaged.
 State state_at_rest(const Body& body, const Tiles& tiles);
 
 class CentralDifference {
@@ -33,8 +33,8 @@ class CentralDifference {
   /// result is the same for any number.
   CentralDifference(const Body& body, const Tiles& tiles, const Elasticity& moduli, int threads);
 
-  /// Body that also softens. Its State has a damage state.
-  CentralDifference(const Body& body, const Tiles& tiles, const Elasticity& moduli, const RankineDamage& law,
+  /// Body that also fails. Its State has a damage state.
+  CentralDifference(const Body& body, const Tiles& tiles, const Elasticity& moduli, const RockFailure& law,
                     int threads);
 
   /// Moves every node but the joint nodes by one step and computes the forces on the joint nodes.
@@ -52,7 +52,7 @@ class CentralDifference {
   const Body& body_;
   const Tiles& tiles_;
   Elasticity moduli_;
-  std::optional<RankineDamage> law_;
+  std::optional<RockFailure> law_;
   double lowest_strength_ = 0;
   std::vector<std::array<double, 2>> slot_force_;
   std::vector<double> joint_force_;

@@ -20,13 +20,9 @@ std::vector<ElementStress> effective_stress(const Mesh& mesh, const Body& body, 
   std::vector<ElementStress> stress(mesh.elements.size());
   for (ElementIndex element = 0; element < stress.size(); ++element)
     stress[element] = undamaged_stress(mesh, body, moduli, element, displacement);
-  for (const auto& [element, history] : records) {
-    auto& in_plane = stress[element].in_plane;
-    const auto tensile = tensile_part(in_plane);
-    in_plane.xx -= history.damage * tensile.xx;
-    in_plane.yy -= history.damage * tensile.yy;
-    in_plane.xy -= history.damage * tensile.xy;
-  }
+  for (const auto& [element, history, plastic] : records)
+    stress[element] =
+        transmitted_stress(without_plastic_part(moduli, stress[element], plastic), history.damage);
   return stress;
 }
 
@@ -39,8 +35,14 @@ std::vector<Principal> principal_stresses(const std::vector<ElementStress>& stre
 
 std::vector<double> damage_field(const Mesh& mesh, const std::vector<ElementDamage>& records) {
   std::vector<double> damage(mesh.elements.size(), 0);
-  for (const auto& [element, history] : records) damage[element] = history.damage;
+  for (const ElementDamage& record : records) damage[record.element] = record.history.damage;
   return damage;
+}
+
+std::vector<double> plastic_strain_field(const Mesh& mesh, const std::vector<ElementDamage>& records) {
+  std::vector<double> size(mesh.elements.size(), 0);
+  for (const ElementDamage& record : records) size[record.element] = size_of(record.plastic);
+  return size;
 }
 
 }  // namespace fissura::structure

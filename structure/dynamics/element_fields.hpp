@@ -12,16 +12,14 @@
 namespace fissura::structure {
 
 /// Effective stress of an element, tension positive [Pa].
-struct ElementStress {
-  InPlane<double> in_plane{};
-  double out_of_plane = 0;  ///< sigma_zz
-};
+using ElementStress = PlaneStrainStress;
 
-/// Stress of one element as if undamaged, in-situ part included.
+/// Stress of one element as if it were elastic, in-situ part included.
 ElementStress undamaged_stress(const Mesh& mesh, const Body& body, const Elasticity& moduli,
                                ElementIndex element, const std::vector<double>& displacement);
 
-/// Effective stress of every element; those in `records` (see damage_records) carry  s - D s+  in the plane.
+/// Effective stress of every element; those in `records` (see damage_records) carry  s - D s+  of the strain
+/// less its plastic part.
 std::vector<ElementStress> effective_stress(const Mesh& mesh, const Body& body, const Elasticity& moduli,
                                             const std::vector<double>& displacement,
                                             const std::vector<ElementDamage>& records);
@@ -31,5 +29,8 @@ std::vector<Principal> principal_stresses(const std::vector<ElementStress>& stre
 
 /// Damage of every element, 0 without a record.
 std::vector<double> damage_field(const Mesh& mesh, const std::vector<ElementDamage>& records);
+
+/// Size of the plastic strain of every element, sqrt(2/3 eps_p : eps_p) [-], 0 without a record.
+std::vector<double> plastic_strain_field(const Mesh& mesh, const std::vector<ElementDamage>& records);
 
 }  // namespace fissura::structure

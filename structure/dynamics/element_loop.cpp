@@ -2,9 +2,9 @@
 #include "structure/dynamics/element_loop.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "structure/dynamics/lanes.hpp"
-#include "structure/material/crack_band.hpp"
 #include "structure/material/failure_trigger.hpp"
 
 namespace fissura::structure {
@@ -55,18 +55,42 @@ inline void add_corner_forces(std::array<double, 2>* force, const std::uint16_t*
 }
 
 struct ElasticOnly {
-  void operator()(std::size_t, InPlane<Lanes>&, Lanes&) const {}
+  void operator()(std::size_t, const InPlane<Lanes>&, InPlane<Lanes>&, Lanes&) const {}
+};
+
+struct TensionSurface {
+  RankineSurface rankine;
+
+  LaneMask exceeded(std::size_t, const InPlane<Lanes>&, const InPlane<Lanes>& stress) const {
+    return exceeds(mohr_radius_squared(stress), rankine.radius_limit(mohr_centre(stress)));
+  }
+};
+
+struct TensionAndShearSurface {
+  RankineSurface rankine;
+  MohrCoulombSurface mohr_coulomb;
+  double lame;
+  const float* in_situ_out_of_plane;
+
+  LaneMask exceeded(std::size_t place, const InPlane<Lanes>& strain, const InPlane<Lanes>& stress) const {
+    const Lanes centre = mohr_centre(stress);
+    const Lanes out_of_plane = load_floats(in_situ_out_of_plane + place) + lame * (strain.xx + strain.yy);
+    const Lanes tension = rankine.radius_limit(centre);
+    const Lanes shear = mohr_coulomb.radius_limit(centre, out_of_plane);
+    return exceeds(mohr_radius_squared(stress), tension < shear ? tension : shear);
+  }
 };
 
 // Lists the elements that may fail or have failed and takes their stress out of the first pass.
+template <class Surface>
 struct ListFailing {
-  RankineSurface surface;
-  const std::uint8_t* cracked;
+  Surface surface;
+  const std::uint8_t* failed;
   std::vector<std::uint16_t>* listed;
 
-  void operator()(std::size_t place, InPlane<Lanes>& stress, Lanes& pressure) const {
-    const LaneMask outside = exceeds(mohr_radius_squared(stress), surface.radius_limit(mohr_centre(stress)));
-    const LaneMarks marks = marks_of(outside) | load_marks(cracked + place);
+  void operator()(std::size_t place, const InPlane<Lanes>& strain, InPlane<Lanes>& stress,
+                  Lanes& pressure) const {
+    const LaneMarks marks = marks_of(surface.exceeded(place, strain, stress)) | load_marks(failed + place);
     if (marks == 0) [[likely]]
       return;
     for (std::size_t lane = 0; lane < lanes; ++lane)
@@ -105,7 +129,7 @@ void first_pass(const Tile& tile, const Elasticity& moduli, const Failure& failu
       stress.yy += load_floats(group.stress[1] + lane);
       stress.xy += load_floats(group.stress[2] + lane);
       Lanes pressure = load_floats(group.pore_pressure + lane);
-      failure(batch * group_width + v * lanes, stress, pressure);
+      failure(batch * group_width + v * lanes, edges[v].strain, stress, pressure);
       const auto f = corner_forces(edges[v], {stress.xx - pressure, stress.yy - pressure, stress.xy});
       add_corner_forces(force, group.node[0] + lane, group.node[1] + lane, group.node[2] + lane, f);
     }
@@ -116,6 +140,7 @@ void first_pass(const Tile& tile, const Elasticity& moduli, const Failure& failu
 struct Gathered {
   std::uint16_t node[3][lanes];
   InPlane<Lanes> in_situ{};
+  Lanes out_of_plane{};
   Lanes pressure{};
 };
 
@@ -133,21 +158,80 @@ Gathered gather_listed(const Tile& tile, const std::uint16_t* places, std::size_
     gathered.in_situ.xx[i] = group.stress[0][lane];
     gathered.in_situ.yy[i] = group.stress[1][lane];
     gathered.in_situ.xy[i] = group.stress[2][lane];
+    gathered.out_of_plane[i] = tile.out_of_plane[places[i]];
     gathered.pressure[i] = group.pore_pressure[lane];
   }
   return gathered;
 }
 
-void start_damage(const RankineDamage& law, const InPlane<double>& undamaged,
-                  const std::array<Point, 3>& corner, std::size_t place, TileDamage& damage) {
-  const auto onset = damage_onset(law, undamaged, crack_band_length(corner, principal(undamaged).direction));
-  if (!onset) return;
-  damage.cracked[place] = 1;
+struct ListedElements {
+  const Gathered& gathered;
+  const std::uint16_t* places;
+  std::size_t count;
+  const NodeRecord* node_record;
+
+  [[nodiscard]] std::array<Point, 3> corners(std::size_t i) const {
+    const auto corner = [&](int c) {
+      const NodeRecord& node = node_record[gathered.node[c][i]];
+      return Point{node.x, node.y};
+    };
+    return {corner(0), corner(1), corner(2)};
+  }
+};
+
+// Index of the record of a listed element, which starts here if it may; none while it stays elastic.
+std::optional<std::size_t> record_of(const ListedElements& elements, std::size_t i, const RockFailure& law,
+                                     const PlaneStrainStress& elastic, TileDamage& damage) {
+  const std::uint16_t place = elements.places[i];
+  if (damage.failed[place]) return damage.record_of[place];
+  if (std::binary_search(damage.forbidden.begin(), damage.forbidden.end(), place)) return std::nullopt;
+  const auto onset = failure_onset(law, elastic, elements.corners(i));
+  if (!onset) return std::nullopt;
+  damage.failed[place] = 1;
   damage.record_of[place] = static_cast<std::uint16_t>(damage.record.size());
   damage.record.push_back(*onset);
+  damage.plastic.emplace_back();
+  return damage.record.size() - 1;
 }
 
-void second_pass(const Tile& tile, const Elasticity& moduli, const RankineDamage& law, TileDamage& damage,
+PlaneStrainStress in_lane(const InPlane<Lanes>& stress, const Lanes& out_of_plane, std::size_t i) {
+  return {{stress.xx[i], stress.yy[i], stress.xy[i]}, out_of_plane[i]};
+}
+
+// s - D s+ of elements that fail in tension only: the roots and the tensile part in lanes.
+InPlane<Lanes> stress_of_cracking(const ListedElements& elements, const InPlane<Lanes>& stress,
+                                  const Lanes& out_of_plane, const RockFailure& law, TileDamage& damage) {
+  const Lanes centre = mohr_centre(stress), radius = square_root(mohr_radius_squared(stress));
+  const Lanes equivalent_strain = (centre + radius) / law.tension.band_modulus;
+  Lanes damaged{};
+  for (std::size_t i = 0; i < elements.count; ++i) {
+    const auto record = record_of(elements, i, law, in_lane(stress, out_of_plane, i), damage);
+    if (!record) continue;
+    DamageHistory& history = damage.record[*record];
+    grow_damage(law.tension, equivalent_strain[i], history);
+    damaged[i] = history.damage;
+  }
+  const auto tensile = tensile_part(stress, centre, radius);
+  return {stress.xx - damaged * tensile.xx, stress.yy - damaged * tensile.yy,
+          stress.xy - damaged * tensile.xy};
+}
+
+// The same with plastic flow, which takes the elements one by one.
+InPlane<Lanes> stress_of_shearing(const ListedElements& elements, InPlane<Lanes> stress,
+                                  const Lanes& out_of_plane, const RockFailure& law, TileDamage& damage) {
+  for (std::size_t i = 0; i < elements.count; ++i) {
+    const PlaneStrainStress elastic = in_lane(stress, out_of_plane, i);
+    const auto record = record_of(elements, i, law, elastic, damage);
+    if (!record) continue;
+    const auto failed = failed_stress(law, elastic, damage.record[*record], damage.plastic[*record]);
+    stress.xx[i] = failed.in_plane.xx;
+    stress.yy[i] = failed.in_plane.yy;
+    stress.xy[i] = failed.in_plane.xy;
+  }
+  return stress;
+}
+
+void second_pass(const Tile& tile, const Elasticity& moduli, const RockFailure& law, TileDamage& damage,
                  TileWorkspace& workspace) {
   const NodeRecord* record = workspace.record.data();
   for (std::size_t begin = 0; begin < workspace.listed.size(); begin += lanes) {
@@ -161,28 +245,12 @@ void second_pass(const Tile& tile, const Elasticity& moduli, const RankineDamage
     stress.xx += gathered.in_situ.xx;
     stress.yy += gathered.in_situ.yy;
     stress.xy += gathered.in_situ.xy;
-    const Lanes centre = mohr_centre(stress), radius = square_root(mohr_radius_squared(stress));
-    const Lanes equivalent_strain = (centre + radius) / law.youngs_modulus;
-    Lanes damaged{};
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::uint16_t place = places[i];
-      if (!damage.cracked[place]) {
-        const auto corner = [&](int c) {
-          const NodeRecord& node = record[gathered.node[c][i]];
-          return Point{node.x, node.y};
-        };
-        start_damage(law, {stress.xx[i], stress.yy[i], stress.xy[i]}, {corner(0), corner(1), corner(2)},
-                     place, damage);
-      }
-      if (!damage.cracked[place]) continue;
-      DamageHistory& history = damage.record[damage.record_of[place]];
-      grow_damage(law, equivalent_strain[i], history);
-      damaged[i] = history.damage;
-    }
-    const auto tensile = tensile_part(stress, centre, radius);
-    const auto f = corner_forces(
-        edge, {stress.xx - damaged * tensile.xx - gathered.pressure,
-               stress.yy - damaged * tensile.yy - gathered.pressure, stress.xy - damaged * tensile.xy});
+    const Lanes out_of_plane = gathered.out_of_plane + moduli.lame * (edge.strain.xx + edge.strain.yy);
+    const ListedElements elements{gathered, places, count, record};
+    stress = law.shear ? stress_of_shearing(elements, stress, out_of_plane, law, damage)
+                       : stress_of_cracking(elements, stress, out_of_plane, law, damage);
+    const auto f =
+        corner_forces(edge, {stress.xx - gathered.pressure, stress.yy - gathered.pressure, stress.xy});
     add_corner_forces(workspace.force.data(), gathered.node[0], gathered.node[1], gathered.node[2], f);
   }
 }
@@ -206,12 +274,20 @@ void add_elastic_forces(const Tile& tile, const Elasticity& moduli, const ReadAh
   first_pass(tile, moduli, ElasticOnly{}, ahead, workspace);
 }
 
-void add_damaging_forces(const Tile& tile, const Elasticity& moduli, const RankineDamage& law,
-                         double lowest_strength, const ReadAhead& ahead, TileDamage& damage,
-                         TileWorkspace& workspace) {
+void add_failing_forces(const Tile& tile, const Elasticity& moduli, const RockFailure& law,
+                        double lowest_strength, const ReadAhead& ahead, TileDamage& damage,
+                        TileWorkspace& workspace) {
   workspace.listed.clear();
-  first_pass(tile, moduli, ListFailing{{lowest_strength}, damage.cracked.data(), &workspace.listed}, ahead,
-             workspace);
+  const std::uint8_t* failed = damage.failed.data();
+  const RankineSurface rankine{lowest_strength};
+  if (law.shear) {
+    const TensionAndShearSurface surface{rankine, law.shear->surface, moduli.lame, tile.out_of_plane.data()};
+    first_pass(tile, moduli, ListFailing<TensionAndShearSurface>{surface, failed, &workspace.listed}, ahead,
+               workspace);
+  } else {
+    first_pass(tile, moduli, ListFailing<TensionSurface>{{rankine}, failed, &workspace.listed}, ahead,
+               workspace);
+  }
   second_pass(tile, moduli, law, damage, workspace);
 }
 

@@ -10,15 +10,15 @@
 #include "structure/dynamics/read_ahead.hpp"
 #include "structure/dynamics/tiles.hpp"
 #include "structure/material/elasticity.hpp"
-#include "structure/material/rankine_damage.hpp"
+#include "structure/material/rock_failure.hpp"
 
 /// Internal forces of one tile: the hot loop of the project.
 ///
 ///   f_i = - A sigma_total . grad N_i ,   sigma_total = (s - D s+) - alpha p I ,   s = sigma_0 + C : eps(u)
 ///
-/// First pass: every element as if undamaged, in lanes. With failure on, elements that leave the elastic
-/// range or already have a damage record are put on a list with zero force instead; the second pass computes
-/// those one by one. Forces are added in a fixed order, first pass before second.
+/// First pass: every element as if it were elastic, in lanes. With failure on, elements that leave the
+/// elastic range or already have a record are put on a list with zero force instead; the second pass computes
+/// those (rock_failure.hpp). Forces are added in a fixed order, first pass before second.
 namespace fissura::structure {
 
 /// A thread's own copy of the nodes of the tile it is working on. Stays in the first-level cache.
@@ -36,10 +36,11 @@ void gather_nodes(const Tile& tile, const std::vector<double>& displacement, Til
 void add_elastic_forces(const Tile& tile, const Elasticity& moduli, const ReadAhead& ahead,
                         TileWorkspace& workspace);
 
-/// The same with Rankine damage, which grows to the present strain. An element whose undamaged stress exceeds
-/// `lowest_strength` [Pa], at most the strength of the weakest element, is looked at in the second pass.
-void add_damaging_forces(const Tile& tile, const Elasticity& moduli, const RankineDamage& law,
-                         double lowest_strength, const ReadAhead& ahead, TileDamage& damage,
-                         TileWorkspace& workspace);
+/// The same of rock that fails, to the present strain. An element whose undamaged stress exceeds
+/// `lowest_strength` [Pa], at most the strength of the weakest element, or Mohr-Coulomb is looked at in the
+/// second pass.
+void add_failing_forces(const Tile& tile, const Elasticity& moduli, const RockFailure& law,
+                        double lowest_strength, const ReadAhead& ahead, TileDamage& damage,
+                        TileWorkspace& workspace);
 
 }  // namespace fissura::structure

@@ -44,28 +44,50 @@ double external_work(const Body& body, const std::vector<double>& displacement) 
   return sum;
 }
 
+namespace {
+
+// C^-1 : s = (s - nu / (1 + nu) tr(s) I) / (2 G), applied twice to the tensile part.
+double released_density(const Elasticity& moduli, const PlaneStrainStress& undamaged, double damage) {
+  const double poissons_ratio = 0.5 * moduli.lame / (moduli.lame + moduli.shear);
+  const auto& stress = undamaged.in_plane;
+  const auto tensile = tensile_part(stress);
+  const double volumetric =
+      poissons_ratio / (1 + poissons_ratio) * (stress.xx + stress.yy + undamaged.out_of_plane);
+  const double twice = (tensile.xx * (stress.xx - volumetric) + tensile.yy * (stress.yy - volumetric) +
+                        2 * tensile.xy * stress.xy) /
+                       (2 * moduli.shear);
+  return 0.5 * damage * twice;
+}
+
+// Energy of the whole strain less that of its elastic part: mean of the two stresses on the plastic strain.
+double plastic_density(const PlaneStrainStress& elastic, const PlaneStrainStress& undamaged,
+                       const PlasticHistory& plastic) {
+  const auto on_plastic_strain = [&plastic](const PlaneStrainStress& stress) {
+    return stress.in_plane.xx * plastic.strain.xx + stress.in_plane.yy * plastic.strain.yy +
+           stress.in_plane.xy * plastic.strain.xy + stress.out_of_plane * plastic.strain_zz;
+  };
+  return 0.5 * (on_plastic_strain(elastic) + on_plastic_strain(undamaged));
+}
+
+}  // namespace
+
 double released_energy(const Mesh& mesh, const Body& body, const Elasticity& moduli,
                        const std::vector<double>& displacement, const std::vector<ElementDamage>& records) {
-  const double poissons_ratio = 0.5 * moduli.lame / (moduli.lame + moduli.shear);
-  const double compliance = 0.5 / moduli.shear;
   double sum = 0;
-  for (const auto& [element, history] : records) {
-    const auto [stress, out_of_plane] = undamaged_stress(mesh, body, moduli, element, displacement);
-    const auto tensile = tensile_part(stress);
-    // C^-1 : s = (s - nu / (1 + nu) tr(s) I) / (2 G)
-    const double volumetric = poissons_ratio / (1 + poissons_ratio) * (stress.xx + stress.yy + out_of_plane);
-    const double density = compliance * (tensile.xx * (stress.xx - volumetric) +
-                                         tensile.yy * (stress.yy - volumetric) + 2 * tensile.xy * stress.xy);
-    sum += 0.5 * triangle(mesh, element).area * history.damage * density;
+  for (const auto& [element, history, plastic] : records) {
+    const PlaneStrainStress elastic = undamaged_stress(mesh, body, moduli, element, displacement);
+    const PlaneStrainStress undamaged = without_plastic_part(moduli, elastic, plastic);
+    sum += triangle(mesh, element).area * (released_density(moduli, undamaged, history.damage) +
+                                           plastic_density(elastic, undamaged, plastic));
   }
   return sum;
 }
 
-double damage_dissipation(const Mesh& mesh, const RankineDamage& law,
-                          const std::vector<ElementDamage>& records) {
+double failure_dissipation(const Mesh& mesh, const RockFailure& law,
+                           const std::vector<ElementDamage>& records) {
   double sum = 0;
-  for (const auto& [element, history] : records)
-    sum += triangle(mesh, element).area * dissipated_energy(law, history);
+  for (const auto& [element, history, plastic] : records)
+    sum += triangle(mesh, element).area * dissipated_energy(law, history, plastic);
   return sum;
 }
 

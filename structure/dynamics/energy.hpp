@@ -5,7 +5,7 @@
 
 #include "structure/dynamics/body.hpp"
 #include "structure/dynamics/damage_state.hpp"
-#include "structure/material/rankine_damage.hpp"
+#include "structure/material/rock_failure.hpp"
 #include "structure/mesh/mesh.hpp"
 
 /// Energies per unit thickness [J/m], relative to the in-situ state. Sums run in the order of nodes or
@@ -26,12 +26,13 @@ double in_situ_work(const Mesh& mesh, const Body& body, const std::vector<double
 /// sum of external force times displacement.
 double external_work(const Body& body, const std::vector<double>& displacement);
 
-/// By how much the damage lowers the energy stored,  sum of A D s+ : C^-1 : s / 2.
+/// By how much failure lowers the energy stored: damage by  sum of A D s+ : C^-1 : s / 2 , plastic strain by
+/// that of the strain it takes away, in-situ stress included.
 double released_energy(const Mesh& mesh, const Body& body, const Elasticity& moduli,
                        const std::vector<double>& displacement, const std::vector<ElementDamage>& records);
 
-/// Spent on damage,  sum of A times dissipated_energy().
-double damage_dissipation(const Mesh& mesh, const RankineDamage& law,
-                          const std::vector<ElementDamage>& records);
+/// Spent on damage and plastic flow of the elements there are,  sum of A times dissipated_energy().
+double failure_dissipation(const Mesh& mesh, const RockFailure& law,
+                           const std::vector<ElementDamage>& records);
 
 }  // namespace fissura::structure

@@ -13,6 +13,12 @@ struct InPlane {
   Real xx, yy, xy;
 };
 
+/// Stress in plane strain [Pa].
+struct PlaneStrainStress {
+  InPlane<double> in_plane{};
+  double out_of_plane = 0;  ///< sigma_zz
+};
+
 /// Lame's constants [Pa].
 struct Elasticity {
   double lame = 0;   ///< lambda

@@ -13,19 +13,31 @@ double linear_final_strain(const RankineDamage& law, double strength, double ban
 }
 
 double exponential_strain(const RankineDamage& law, double strength, double band_length) {
-  return law.fracture_energy / (strength * band_length) - 0.5 * strength / law.youngs_modulus;
+  return law.fracture_energy / (strength * band_length) - 0.5 * strength / law.band_modulus;
 }
 
 }  // namespace
 
-double admissible_strength(const RankineDamage& law, double band_length) {
-  return std::min(law.tensile_strength,
-                  std::sqrt(2 * law.youngs_modulus * law.fracture_energy / band_length));
+double strength_of_direction(const RankineDamage& law, const std::array<double, 2>& normal) {
+  if (!law.bedding) return law.tensile_strength;
+  const auto& across = law.bedding->normal;
+  const double cosine = normal[0] * across[0] + normal[1] * across[1];
+  return law.tensile_strength + (law.bedding->strength_across - law.tensile_strength) * cosine * cosine;
+}
+
+double admissible_strength(const RankineDamage& law, double strength, double band_length) {
+  return std::min(strength, std::sqrt(2 * law.band_modulus * law.fracture_energy / band_length));
+}
+
+double lowest_strength(const RankineDamage& law, double band_length) {
+  const double weakest =
+      law.bedding ? std::min(law.tensile_strength, law.bedding->strength_across) : law.tensile_strength;
+  return admissible_strength(law, weakest, band_length);
 }
 
 double damage_of_strain(const RankineDamage& law, double strength, double band_length,
                         double equivalent_strain) {
-  const double onset = strength / law.youngs_modulus;
+  const double onset = strength / law.band_modulus;
   if (equivalent_strain <= onset) return 0;
   if (law.softening == Softening::linear) {
     const double final = linear_final_strain(law, strength, band_length);
@@ -37,8 +49,23 @@ double damage_of_strain(const RankineDamage& law, double strength, double band_l
   return 1 - (onset / equivalent_strain) * std::exp(-(equivalent_strain - onset) / decay);
 }
 
+double lost_strength(const RankineDamage& law, const DamageHistory& history) {
+  const double left =
+      (1 - history.damage) * law.band_modulus * history.equivalent_strain / history.tensile_strength;
+  return std::clamp(1 - left, 0.0, 1.0);
+}
+
+double strain_of_lost_strength(const RankineDamage& law, double strength, double band_length, double share) {
+  constexpr double least_left = 1e-12;
+  const double onset = strength / law.band_modulus;
+  if (law.softening == Softening::linear)
+    return onset + share * std::max(linear_final_strain(law, strength, band_length) - onset, 0.0);
+  const double decay = std::max(exponential_strain(law, strength, band_length), 0.0);
+  return onset - decay * std::log(std::max(1 - share, least_left));
+}
+
 double dissipated_energy(const RankineDamage& law, const DamageHistory& history) {
-  const double onset = history.tensile_strength / law.youngs_modulus;
+  const double onset = history.tensile_strength / law.band_modulus;
   if (history.equivalent_strain <= onset) return 0;
   const double scale = 0.5 * history.tensile_strength;
   if (law.softening == Softening::linear) {
@@ -52,12 +79,18 @@ double dissipated_energy(const RankineDamage& law, const DamageHistory& history)
   return scale * ((decay + onset) * (1 - std::exp(-excess)) + decay * (1 - (1 + excess) * std::exp(-excess)));
 }
 
+DamageHistory undamaged_band(const RankineDamage& law, const std::array<double, 2>& normal,
+                             double band_length) {
+  const double strength = admissible_strength(law, strength_of_direction(law, normal), band_length);
+  return {strength / law.band_modulus, 0, band_length, strength, normal};
+}
+
 std::optional<DamageHistory> damage_onset(const RankineDamage& law, const InPlane<double>& undamaged_stress,
                                           double band_length) {
-  const double strength = admissible_strength(law, band_length);
-  const double major = mohr_centre(undamaged_stress) + std::sqrt(mohr_radius_squared(undamaged_stress));
-  if (major <= strength) return std::nullopt;
-  return DamageHistory{strength / law.youngs_modulus, 0, band_length, strength};
+  const Principal axes = principal(undamaged_stress);
+  const DamageHistory history = undamaged_band(law, axes.direction, band_length);
+  if (axes.major <= history.tensile_strength) return std::nullopt;
+  return history;
 }
 
 void grow_damage(const RankineDamage& law, double equivalent_strain, DamageHistory& history) {
@@ -70,7 +103,7 @@ InPlane<double> damaged_stress(const RankineDamage& law, const InPlane<double>& 
                                DamageHistory& history) {
   const double centre = mohr_centre(undamaged_stress),
                radius = std::sqrt(mohr_radius_squared(undamaged_stress));
-  grow_damage(law, (centre + radius) / law.youngs_modulus, history);
+  grow_damage(law, (centre + radius) / law.band_modulus, history);
   const auto tensile = tensile_part(undamaged_stress, centre, radius);
   return {undamaged_stress.xx - history.damage * tensile.xx,
           undamaged_stress.yy - history.damage * tensile.yy,

@@ -85,11 +85,17 @@ struct Wave {
   std::vector<ElementDamage> softening;
 };
 
+BulkFailure linear_softening() {
+  BulkFailure settings;
+  settings.active = true;
+  settings.softening = Softening::linear;
+  return settings;
+}
+
 struct Setting {
   Case settings = shale_case();
   Elasticity moduli = elasticity(settings.rock);
-  RankineDamage law{settings.rock.youngs_modulus, settings.rock.tensile_strength,
-                    settings.rock.fracture_energy, Softening::linear};
+  RockFailure law = rock_failure(settings.rock, linear_softening());
 };
 
 Wave wave_on(Mesh mesh, const Setting& setting, double extent, double softening_share) {
@@ -101,10 +107,9 @@ Wave wave_on(Mesh mesh, const Setting& setting, double extent, double softening_
   }
   for (ElementIndex e = 0; e < wave.mesh.elements.size(); ++e) {
     if (std::abs(centroid(wave.mesh, e)[1]) > 0.5 * softening_share * extent) continue;
-    const double strength = admissible_strength(setting.law, edge);
-    const double strain = 2 * strength / setting.law.youngs_modulus;
-    wave.softening.push_back(
-        {e, {strain, damage_of_strain(setting.law, strength, edge, strain), edge, strength}});
+    DamageHistory history = undamaged_band(setting.law.tension, {0, 1}, edge);
+    grow_damage(setting.law.tension, 2 * history.equivalent_strain, history);
+    wave.softening.push_back({e, history, {}});
   }
   return wave;
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "structure/material/crack_band.hpp"
 #include "structure/material/failure_trigger.hpp"
 
 namespace fissura::structure::fakes {
@@ -24,7 +23,7 @@ double longest_edge(const Mesh& mesh) {
 }  // namespace
 
 NaiveStructure::NaiveStructure(const Mesh& mesh, const Body& body, const Elasticity& moduli,
-                               std::optional<RankineDamage> law)
+                               std::optional<RockFailure> law)
     : nodes_(mesh.position.size()), elements_(mesh.elements.size()), moduli_(moduli), law_(law) {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     nodes_[i].position = mesh.position[i];
@@ -33,9 +32,15 @@ NaiveStructure::NaiveStructure(const Mesh& mesh, const Body& body, const Elastic
   }
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const auto& in_situ = body.in_situ[e];
-    elements_[e] = {mesh.elements[e], {in_situ.xx, in_situ.yy, in_situ.xy}, in_situ.pore_pressure, false, {}};
+    elements_[e] = {mesh.elements[e],
+                    {in_situ.xx, in_situ.yy, in_situ.xy},
+                    in_situ.zz,
+                    in_situ.pore_pressure,
+                    false,
+                    {},
+                    {}};
   }
-  if (law_) lowest_strength_ = admissible_strength(*law_, longest_edge(mesh));
+  if (law_) lowest_strength_ = lowest_strength(law_->tension, longest_edge(mesh));
 }
 
 void NaiveStructure::set_displacement(const std::vector<double>& displacement) {
@@ -48,9 +53,10 @@ void NaiveStructure::set_velocity(const std::vector<double>& velocity) {
 }
 
 void NaiveStructure::set_damage(const std::vector<ElementDamage>& records) {
-  for (const auto& [element, history] : records) {
+  for (const auto& [element, history, plastic] : records) {
     elements_[element].cracked = true;
     elements_[element].history = history;
+    elements_[element].plastic = plastic;
   }
 }
 
@@ -79,15 +85,22 @@ void NaiveStructure::add_force(Element& element) {
   stress.yy += element.in_situ.yy;
   stress.xy += element.in_situ.xy;
   if (law_) {
+    const double out_of_plane = element.out_of_plane + out_of_plane_stress(moduli_, strain);
     const RankineSurface surface{lowest_strength_};
-    if (!element.cracked && exceeds(mohr_radius_squared(stress), surface.radius_limit(mohr_centre(stress)))) {
-      const double band = crack_band_length({p, q, r}, principal(stress).direction);
-      if (const auto onset = damage_onset(*law_, stress, band)) {
+    double limit = surface.radius_limit(mohr_centre(stress));
+    if (law_->shear)
+      limit = std::min(limit, law_->shear->surface.radius_limit(mohr_centre(stress), out_of_plane));
+    if (!element.cracked && exceeds(mohr_radius_squared(stress), limit))
+      if (const auto onset = failure_onset(*law_, {stress, out_of_plane}, {p, q, r})) {
         element.cracked = true;
         element.history = *onset;
       }
+    if (element.cracked) {
+      if (law_->shear)
+        stress = failed_stress(*law_, {stress, out_of_plane}, element.history, element.plastic).in_plane;
+      else
+        stress = damaged_stress(law_->tension, stress, element.history);
     }
-    if (element.cracked) stress = damaged_stress(*law_, stress, element.history);
   }
   stress.xx -= element.pore_pressure;
   stress.yy -= element.pore_pressure;

@@ -7,7 +7,7 @@
 
 #include "structure/dynamics/body.hpp"
 #include "structure/dynamics/central_difference.hpp"
-#include "structure/material/rankine_damage.hpp"
+#include "structure/material/rock_failure.hpp"
 #include "structure/mesh/mesh.hpp"
 
 /// The explicit step as one would first write it: arrays of structures, one element at a time, forces added
@@ -18,7 +18,7 @@ class NaiveStructure {
  public:
   /// `law` absent: elastic. Joint nodes are moved like any other. Prescribed displacements are not supported.
   NaiveStructure(const Mesh& mesh, const Body& body, const Elasticity& moduli,
-                 std::optional<RankineDamage> law);
+                 std::optional<RockFailure> law);
 
   void set_displacement(const std::vector<double>& displacement);
   void set_velocity(const std::vector<double>& velocity);
@@ -40,9 +40,10 @@ class NaiveStructure {
   struct Element {
     std::array<NodeIndex, 3> node{};
     InPlane<double> in_situ{};
-    double pore_pressure = 0;
+    double out_of_plane = 0, pore_pressure = 0;
     bool cracked = false;
     DamageHistory history;
+    PlasticHistory plastic;
   };
 
   void add_force(Element& element);
@@ -50,7 +51,7 @@ class NaiveStructure {
   std::vector<Node> nodes_;
   std::vector<Element> elements_;
   Elasticity moduli_;
-  std::optional<RankineDamage> law_;
+  std::optional<RockFailure> law_;
   double lowest_strength_ = 0;
 };
 

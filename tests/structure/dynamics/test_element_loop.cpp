@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numeric>
 
 #include "structure/dynamics/central_difference.hpp"
 #include "structure/dynamics/stable_step.hpp"
@@ -27,9 +28,18 @@ Case brittle_case() {
   return settings;
 }
 
-RankineDamage law_of(const Case& settings) {
-  return {settings.rock.youngs_modulus, settings.rock.tensile_strength, settings.rock.fracture_energy,
-          Softening::exponential};
+// Compression in situ close to Mohr-Coulomb.
+Case shearing_case() {
+  Case settings = brittle_case();
+  settings.in_situ.stress = {0.2e6, -22e6, 1e6, -4e6};
+  settings.bulk_failure.cohesion = 8e6;
+  settings.bulk_failure.friction_angle = 0.5;
+  settings.bulk_failure.dilation_angle = 0.2;
+  return settings;
+}
+
+RockFailure law_of(const Case& settings) {
+  return rock_failure(settings.rock, settings.bulk_failure);
 }
 
 std::vector<double> wave(const Mesh& mesh, const Body& body) {
@@ -110,6 +120,74 @@ TEST_CASE("element loop: equals one element at a time while a tenth of the body 
   CHECK(cracked < mesh.elements.size() / 2);
   CHECK(cracked == reference.cracked_elements());
   CHECK(largest_difference(state.velocity, reference.velocity()) < summation_order * largest(state.velocity));
+}
+
+TEST_CASE("element loop: equals one element at a time while rock shears and cracks",
+          "[structure][dynamics]") {
+  const Mesh mesh = jittered_mesh(grid);
+  const Case settings = shearing_case();
+  const auto body = build_body(mesh, settings);
+  const auto moduli = elasticity(settings.rock);
+  const Step step = step_on(mesh, settings);
+
+  const auto tiles = build_tiles(mesh, body, {});
+  State state = state_at_rest(body, tiles);
+  state.velocity = wave(mesh, body);
+  for (double& component : state.velocity) component *= 8;
+  CentralDifference dynamics(body, tiles, moduli, law_of(settings), 1);
+  NaiveStructure reference(mesh, body, moduli, law_of(settings));
+  reference.set_velocity(state.velocity);
+  for (int i = 0; i < steps; ++i) {
+    dynamics.advance(state, step);
+    reference.advance(step);
+  }
+  std::size_t sheared = 0, cracked = 0;
+  const auto records = damage_records(tiles, state.damage);
+  for (const ElementDamage& record : records) {
+    sheared += record.plastic.work > 0;
+    cracked += record.history.damage > 0 && record.plastic.work == 0;
+  }
+  CAPTURE(sheared, cracked, mesh.elements.size());
+  CHECK(sheared > mesh.elements.size() / 50);
+  CHECK(cracked > mesh.elements.size() / 50);
+  CHECK(records.size() < mesh.elements.size() / 2);
+  CHECK(records.size() == reference.cracked_elements());
+  CHECK(largest_difference(state.velocity, reference.velocity()) < summation_order * largest(state.velocity));
+}
+
+TEST_CASE("element loop: failure starts in no element in which it is forbidden, and goes on where it started",
+          "[structure][dynamics]") {
+  const Mesh mesh = jittered_mesh(grid);
+  const Case settings = brittle_case();
+  const auto body = build_body(mesh, settings);
+  const auto tiles = build_tiles(mesh, body, {});
+  const Step step = step_on(mesh, settings);
+  State state = state_at_rest(body, tiles);
+  state.velocity = wave(mesh, body);
+  CentralDifference dynamics(body, tiles, elasticity(settings.rock), law_of(settings), 1);
+  std::vector<ElementIndex> every(mesh.elements.size());
+  std::iota(every.begin(), every.end(), 0);
+
+  forbid_onset(tiles, every, state.damage);
+  for (int i = 0; i < steps / 2; ++i) dynamics.advance(state, step);
+  CHECK(damage_records(tiles, state.damage).empty());
+
+  forbid_onset(tiles, {}, state.damage);
+  for (int i = 0; i < steps / 2; ++i) dynamics.advance(state, step);
+  const auto started = damage_records(tiles, state.damage);
+  REQUIRE(started.size() > mesh.elements.size() / 20);
+
+  forbid_onset(tiles, every, state.damage);
+  for (int i = 0; i < steps; ++i) dynamics.advance(state, step);
+  const auto later = damage_records(tiles, state.damage);
+  REQUIRE(later.size() == started.size());
+  double before = 0, after = 0;
+  for (std::size_t i = 0; i < later.size(); ++i) {
+    CHECK(later[i].element == started[i].element);
+    before += started[i].history.damage;
+    after += later[i].history.damage;
+  }
+  CHECK(after > 1.01 * before);
 }
 
 TEST_CASE("element loop: without a law for failure nothing cracks", "[structure][dynamics]") {

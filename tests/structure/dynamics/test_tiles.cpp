@@ -94,7 +94,7 @@ TEST_CASE("tiles: rebuilding what an insertion touched equals building everythin
 TEST_CASE("damage: records survive the way through storage", "[structure][dynamics]") {
   const Mesh mesh = jittered_mesh(grid);
   const auto tiles = build_tiles(mesh, build_body(mesh, shale_case()), {});
-  const std::vector<ElementDamage> records{{7, {1e-4, 0.3, 0.5, 1e6}}, {5001, {2e-4, 0.6, 0.4, 9e5}}};
+  const std::vector<ElementDamage> records{{7, {1e-4, 0.3, 0.5, 1e6}, {}}, {5001, {2e-4, 0.6, 0.4, 9e5}, {}}};
   const auto found = damage_records(tiles, damage_from_records(tiles, records));
   REQUIRE(found.size() == 2);
   for (std::size_t i = 0; i < 2; ++i) {
