@@ -139,6 +139,7 @@ class Worker {
     wall.total = since(start_);
     const double waited = trio_.waited(Role::structure) + trio_.waited(Role::network);
     wall.coupler = wall.total - waited;
+    figures_.remeshing = record_.remesh_totals();
     wall.waiting = std::max(0.0, waited - wall.structure - wall.network);
     return summary_json(verdict, record_.history(), figures_);
   }

@@ -29,7 +29,7 @@ void copy_inputs(const std::vector<std::filesystem::path>& files, const std::fil
 }  // namespace
 
 RunRecord::RunRecord(const std::filesystem::path& directory, int reports_per_segment)
-    : directory_(directory), segments_(directory_.path(), reports_per_segment) {
+    : directory_(directory), remesh_ledger_(directory_.path()), segments_(directory_.path(), reports_per_segment) {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
@@ -47,6 +47,10 @@ void RunRecord::topology(const FractureNetwork& network) {
                     network.segments().size()));
 }
 
+void RunRecord::remeshing(const FractureNetwork& network, const std::vector<Remeshing>& entries) {
+  for (const Remeshing& entry : entries) remesh_ledger_.add(network.revision(), time_, entry);
+}
+
 void RunRecord::interval(const IntervalRecord& record) {
   history_.add(record);
   interval_ = record.interval;
@@ -56,6 +60,7 @@ void RunRecord::interval(const IntervalRecord& record) {
 void RunRecord::fields(double time, const Message& structure_fields, const Message& network_fields,
                        const FractureNetwork& network, const std::vector<NodeField>& node_fields) {
   history_.flush();
+  remesh_ledger_.flush();
   if (segments_.add(time, structure_fields, network_fields, network, node_fields))
     write_xdmf(directory(), segments_.closed());
 }
@@ -68,6 +73,7 @@ void RunRecord::event(EventLevel level, const std::string& participant, const st
 
 void RunRecord::close() {
   history_.flush();
+  remesh_ledger_.flush();
   if (segments_.close()) write_xdmf(directory(), segments_.closed());
 }
 

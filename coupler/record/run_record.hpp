@@ -14,6 +14,7 @@
 #include "coupler/record/event_log.hpp"
 #include "coupler/record/history.hpp"
 #include "coupler/record/interval_record.hpp"
+#include "coupler/record/remesh_ledger.hpp"
 #include "coupler/record/run_description.hpp"
 #include "coupler/record/run_directory.hpp"
 #include "coupler/record/segments.hpp"
@@ -39,6 +40,9 @@ class RunRecord {
   /// report.
   void topology(const FractureNetwork& network);
 
+  /// Notes what an insertion did to the mesh (buffered). Throws StorageError.
+  void remeshing(const FractureNetwork& network, const std::vector<Remeshing>& entries);
+
   /// Appends one line to history.csv and ledger.csv (buffered). Throws StorageError.
   void interval(const IntervalRecord& record);
 
@@ -56,6 +60,7 @@ class RunRecord {
 
   /// The series of all intervals so far, for the verdict.
   [[nodiscard]] const History& history() const { return history_; }
+  [[nodiscard]] RemeshTotals remesh_totals() const { return remesh_ledger_.totals(); }
   [[nodiscard]] const std::filesystem::path& directory() const { return directory_.path(); }
 
   /// Closes the segment that is open, if any, and flushes the tables. Throws StorageError.
@@ -67,6 +72,7 @@ class RunRecord {
  private:
   RunDirectory directory_;
   History history_;
+  RemeshLedger remesh_ledger_;
   Segments segments_;
   std::optional<EventLog> events_;
   std::uint64_t interval_ = 0;  ///< of the last interval()

@@ -126,6 +126,7 @@ std::string fractures_xdmf(const ReportCatalogue& catalogue) {
   std::string grids;
   for (const StoredReport& report : catalogue.reports) {
     const StoredNetwork& network = catalogue.networks.at(report.revision);
+    if (network.position.shape[0] == 0) continue;
     append_grid(grids, report, lines_or_points(network), network.position, report.network_nodes,
                 report.network_segments);
   }

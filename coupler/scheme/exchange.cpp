@@ -97,6 +97,14 @@ StructureResponse read_response(const Message& message, const FractureNetwork& n
   return response;
 }
 
+std::vector<Remeshing> read_remeshing(const Message& acknowledgement) {
+  std::vector<Remeshing> entries;
+  const auto found = acknowledgement.body.find("remeshing");
+  if (found == acknowledgement.body.end()) return entries;
+  for (const nlohmann::json& object : *found) entries.push_back(remeshing_from_json(object));
+  return entries;
+}
+
 NetworkAnswer read_pressure(const Message& message, const FractureNetwork& network, const PressureRange& range) {
   require_revision(message, network);
   NetworkAnswer answer;

@@ -9,6 +9,7 @@
 #include "common/exchange/message.hpp"
 #include "common/fracture_network/fracture_network.hpp"
 #include "coupler/record/interval_record.hpp"
+#include "coupler/record/remesh_ledger.hpp"
 
 /// From messages to values, with every check that physics allows. Arrays have one value per node of the network.
 namespace fissura::coupler {
@@ -45,6 +46,8 @@ struct NetworkAnswer {
 /// Throws ProtocolError for missing or misshaped data, ValueError naming field, node, coordinates and value for what physics
 /// forbids: a negative aperture, a pressure outside the range of the case, a filled fraction outside [0, 1].
 StructureResponse read_response(const Message& message, const FractureNetwork& network, const PressureRange& range);
+/// What the insertion did to the mesh; empty from a structure that does not tell. Throws ProtocolError.
+std::vector<Remeshing> read_remeshing(const Message& acknowledgement);
 NetworkAnswer read_pressure(const Message& message, const FractureNetwork& network, const PressureRange& range);
 
 /// |residual| over the largest volume in the book.

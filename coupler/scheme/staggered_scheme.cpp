@@ -161,7 +161,9 @@ void StaggeredScheme::insert(const Insertion& insertion) {
       throw ParticipantFailure(ExitCode::protocol_violation, role,
                                fmt::format("{} has another fracture network after revision {} (hash {:.8}..., expected {:.8}...)",
                                            name(role), network_.revision(), found, expected));
-    if (role == Role::structure) structure_ = read_response(acknowledgement, network_, case_.pressure_range);
+    if (role != Role::structure) continue;
+    structure_ = read_response(acknowledgement, network_, case_.pressure_range);
+    record_.remeshing(network_, read_remeshing(acknowledgement));
   }
   compliance_ = interface_compliance(network_, case_.rock.plane_strain_modulus(), case_.coupling.compliance_factor);
   path_ = fracture_path(network_, case_);

@@ -80,6 +80,19 @@ Json wall_json(const WallTimes& wall) {
           {"structure_loops_share", wall.total > 0 ? loops / wall.total : 0}};
 }
 
+Json remeshing_json(const RemeshTotals& totals) {
+  return {{"insertions", totals.insertions},
+          {"median_touched", totals.median_touched},
+          {"largest_touched", totals.largest_touched},
+          {"untouched_identical", totals.untouched_identical},
+          {"smallest_angle", totals.smallest_angle},
+          {"smallest_step_ratio", totals.smallest_step_ratio},
+          {"wall_s", totals.wall},
+          {"largest_mass_error", totals.largest_mass_error},
+          {"largest_momentum_error", totals.largest_momentum_error},
+          {"strain_energy_jump", totals.strain_energy_jump}};
+}
+
 Json failure_json(const Failure& failure) {
   return {{"exit_code", static_cast<int>(failure.code)},
           {"code", name(failure.code)},
@@ -103,6 +116,7 @@ nlohmann::ordered_json summary_json(const Verdict& verdict, const History& histo
   summary["coupling"] = {{"intervals", history.size()},
                          {"explicit_steps", sum(column(history, "explicit_steps"))},
                          {"insertions", figures.insertions}};
+  summary["remeshing"] = remeshing_json(figures.remeshing);
   summary["wall"] = wall_json(figures.wall);
   summary["mesh"] = {{"elements", figures.elements}, {"nodes", figures.nodes}};
   if (figures.failure) summary["failure"] = failure_json(*figures.failure);

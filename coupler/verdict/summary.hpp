@@ -8,6 +8,7 @@
 
 #include "common/errors.hpp"
 #include "coupler/record/history.hpp"
+#include "coupler/record/remesh_ledger.hpp"
 #include "coupler/verdict/verdict.hpp"
 
 namespace fissura::coupler {
@@ -37,6 +38,7 @@ struct RunFigures {
   WallTimes wall;
   std::uint64_t elements = 0, nodes = 0;  ///< of the structure's last mesh
   std::uint64_t insertions = 0;           ///< changes of the topology after revision 0
+  RemeshTotals remeshing;
   std::optional<Failure> failure;
 };
 

@@ -132,6 +132,14 @@ IntervalRecord interval(std::uint64_t number, double time) {
   record.halvings = 1;
   record.kinetic_energy = 12;
   record.strain_energy = 1200;
+  record.cohesive_work = 480;
+  record.failure_work = 35;
+  record.cohesive_share = 0.97;
+  record.path_deviation = 0.21;
+  record.path_angle = 0.02;
+  record.first_angle = 0.05;
+  record.end_angle = 0.07;
+  record.elements = 7000;
   record.mass_scale = 250;
   record.stable_step = 1e-5;
   return record;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstring>
 #include <regex>
 #include <sstream>
+
+#include <fmt/format.h>
 
 #include "coupler/record/hdf5_file.hpp"
 #include "coupler/record/segments.hpp"
@@ -52,6 +55,15 @@ std::vector<DataItem> data_items(const std::string& xml) {
     items.push_back(found);
   }
   return items;
+}
+
+std::vector<std::uint64_t> indices_of(const std::filesystem::path& directory, const StoredArray& stored) {
+  const std::size_t colon = stored.location.find(':');
+  const Array array =
+      Hdf5File::open(directory / stored.location.substr(0, colon)).read(stored.location.substr(colon + 1));
+  std::vector<std::uint64_t> indices(array.bytes.size() / sizeof(std::uint64_t));
+  std::memcpy(indices.data(), array.bytes.data(), array.bytes.size());
+  return indices;
 }
 
 void record_three_reports(Segments& segments) {
@@ -128,4 +140,38 @@ TEST_CASE("a fracture network without segments is drawn as points", "[coupler][r
   CHECK(is_well_formed(xml));
   CHECK(xml.find("TopologyType=\"Polyvertex\" NumberOfElements=\"1\"") != std::string::npos);
   CHECK(xml.find("Polyline") == std::string::npos);
+}
+
+TEST_CASE("a network without nodes is stored, and nothing is drawn of it", "[coupler][record]") {
+  const sample::TemporaryDirectory folder;
+  FractureNetwork network;
+  network.apply(Insertion{});
+  Segments segments(folder.path(), 1);
+  segments.add(1, sample::structure_fields(1, 0, 0), sample::network_fields(network), network,
+               sample::node_fields(network, 1));
+  CHECK(segments.closed().networks.at(0).position.shape == std::vector<std::uint64_t>{0, 2});
+  const std::string xml = fractures_xdmf(segments.closed());
+  CHECK(is_well_formed(xml));
+  CHECK(xml.find("Topology") == std::string::npos);
+}
+
+TEST_CASE("every report is drawn on the mesh it was made with", "[coupler][record]") {
+  const sample::TemporaryDirectory folder;
+  Segments segments(folder.path(), 2);
+  const FractureNetwork network = sample::network();
+  for (const std::uint64_t geometry : {0, 1, 2})
+    segments.add(1. + static_cast<double>(geometry), sample::structure_fields(0, geometry, geometry),
+                 sample::network_fields(network), network, sample::node_fields(network, 1));
+  segments.close();
+  const std::string xml = fields_xdmf(segments.closed());
+  std::size_t place = 0;
+  for (const std::uint64_t geometry : {0, 1, 2}) {
+    const std::string group = fmt::format(":/meshes/{:06}/elements", geometry);
+    place = xml.find(group, place);
+    REQUIRE(place != std::string::npos);
+    const auto& mesh = segments.closed().meshes.at(geometry);
+    CHECK(mesh.position.shape[0] == 4 + geometry);
+    for (const std::uint64_t corner : indices_of(folder.path(), mesh.elements))
+      CHECK(corner < mesh.position.shape[0]);
+  }
 }

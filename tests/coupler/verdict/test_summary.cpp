@@ -37,6 +37,7 @@ TEST_CASE("the summary has the keys that scripts rely on", "[coupler][verdict]")
   figures.elements = 7000;
   figures.nodes = 3600;
   figures.insertions = 3;
+  figures.remeshing = {3, 26, 40, true, 0.5, 0.006, 5e-15, 1e-15, 0.75, 1.5};
   const auto summary = summary_json(verdict, two_intervals(), figures);
 
   CHECK(summary["verdict"] == "pass");
@@ -59,6 +60,13 @@ TEST_CASE("the summary has the keys that scripts rely on", "[coupler][verdict]")
   CHECK(summary["coupling"]["intervals"] == 2);
   CHECK(summary["coupling"]["explicit_steps"] == 30);
   CHECK(summary["coupling"]["insertions"] == 3);
+  CHECK(summary["remeshing"]["insertions"] == 3);
+  CHECK(summary["remeshing"]["median_touched"] == 26);
+  CHECK(summary["remeshing"]["largest_touched"] == 40);
+  CHECK(summary["remeshing"]["untouched_identical"] == true);
+  CHECK(summary["remeshing"]["smallest_angle"] == 0.5);
+  CHECK(summary["remeshing"]["wall_s"] == 0.006);
+  CHECK(summary["remeshing"]["largest_mass_error"] == 5e-15);
   CHECK(summary["wall"]["total_s"] == 10);
   CHECK(summary["wall"]["structure_s"] == 9);
   CHECK(summary["wall"]["element_s"] == 7);
