@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "common/errors.hpp"
 #include "structure/dynamics/tile_building.hpp"
 #include "structure/dynamics/triangle.hpp"
 
@@ -36,18 +37,24 @@ class TileUpdate {
 
  private:
   // Places stay where they are until all are known: `from` of a moved element may lie in a tile of removed
-  // ones, and `to` is the index of a removed one.
+  // ones, and `to` is the index of a removed one. A made element that was moved is placed as a made one.
   void rename_moved() {
-    std::vector<std::uint32_t> tile;
-    for (const MovedElement& moved : change_.moved) tile.push_back(tiles_.tile_of_element[moved.from]);
     std::vector<ElementIndex*> place;
-    for (std::size_t i = 0; i < tile.size(); ++i) {
-      auto& elements = tiles_.tile[tile[i]].elements;
-      place.push_back(&*std::find(elements.begin(), elements.end(), change_.moved[i].from));
+    for (const MovedElement& element : change_.moved) {
+      if (std::binary_search(change_.made.begin(), change_.made.end(), element.to)) continue;
+      moved_.push_back(element);
+      moved_tile_.push_back(tiles_.tile_of_element[element.from]);
+      place.push_back(&place_of(element.from));
     }
     list_freed_places();
-    for (std::size_t i = 0; i < tile.size(); ++i) *place[i] = change_.moved[i].to;
-    moved_tile_ = std::move(tile);
+    for (std::size_t i = 0; i < place.size(); ++i) *place[i] = moved_[i].to;
+  }
+
+  ElementIndex& place_of(ElementIndex element) {
+    auto& elements = tiles_.tile[tiles_.tile_of_element[element]].elements;
+    const auto place = std::find(elements.begin(), elements.end(), element);
+    ENSURE(place != elements.end());
+    return *place;
   }
 
   // A removed element whose index a made one has keeps its place.
@@ -56,8 +63,7 @@ class TileUpdate {
       const std::uint32_t t = tiles_.tile_of_element[element];
       stale_[t] = 1;
       if (std::binary_search(change_.made.begin(), change_.made.end(), element)) continue;
-      auto& elements = tiles_.tile[t].elements;
-      *std::find(elements.begin(), elements.end(), element) = freed;
+      place_of(element) = freed;
     }
   }
 
@@ -66,7 +72,7 @@ class TileUpdate {
       if (stale_[t]) std::erase(tiles_.tile[t].elements, freed);
     tiles_.tile_of_element.resize(mesh_.elements.size());
     for (std::size_t i = 0; i < moved_tile_.size(); ++i)
-      tiles_.tile_of_element[change_.moved[i].to] = moved_tile_[i];
+      tiles_.tile_of_element[moved_[i].to] = moved_tile_[i];
   }
 
   void place_made() {
@@ -159,7 +165,8 @@ class TileUpdate {
   const MeshChange& change_;
   Tiles& tiles_;
   std::vector<std::uint8_t> stale_;
-  std::vector<std::uint32_t> moved_tile_;
+  std::vector<MovedElement> moved_;
+  std::vector<std::uint32_t> moved_tile_;  // of each of moved_
   std::vector<NodeIndex> nodes_;
 };
 
