@@ -24,6 +24,14 @@ double number(const nlohmann::json& object, const char* key) {
   return value;
 }
 
+/// Text of one CSV cell (RFC 4180).
+std::string in_a_cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return quoted + '"';
+}
+
 double median(std::vector<std::uint64_t> values) {
   if (values.empty()) return 0;
   std::sort(values.begin(), values.end());
@@ -41,7 +49,7 @@ std::uint64_t Remeshing::touched() const {
 Remeshing remeshing_from_json(const nlohmann::json& object) {
   try {
     Remeshing entry;
-    entry.fracture = object.at("fracture").get<std::uint64_t>();
+    entry.fracture = object.at("fracture").get<std::string>();
     entry.x = number(object, "x");
     entry.y = number(object, "y");
     entry.elements_removed = object.at("elements_removed").get<std::uint64_t>();
@@ -75,7 +83,7 @@ void RemeshLedger::add(std::uint64_t revision, double time, const Remeshing& ent
   }
   table_->append(
       fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", revision, time,
-                  entry.fracture, entry.x, entry.y, entry.elements_removed, entry.elements_made,
+                  in_a_cell(entry.fracture), entry.x, entry.y, entry.elements_removed, entry.elements_made,
                   entry.elements_untouched, entry.hash_before, entry.hash_after, entry.smallest_angle,
                   entry.smallest_altitude, entry.stable_step_before, entry.stable_step_after,
                   entry.strain_energy_before, entry.strain_energy_after, entry.kinetic_energy_before,

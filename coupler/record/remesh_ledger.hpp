@@ -14,8 +14,8 @@ namespace fissura::coupler {
 
 /// What one inserted segment did to the mesh, as the structure tells it (docs/protocol.md).
 struct Remeshing {
-  std::uint64_t fracture = 0;
-  double x = 0, y = 0;  ///< the new tip [m]
+  std::string fracture;  ///< name of the line that grew
+  double x = 0, y = 0;   ///< the new tip [m]
   std::uint64_t elements_removed = 0, elements_made = 0, elements_untouched = 0;
   std::string hash_before, hash_after;                         ///< of the untouched elements and their nodes
   double smallest_angle = 0;                                   ///< of the elements made [rad]

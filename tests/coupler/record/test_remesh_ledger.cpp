@@ -12,7 +12,7 @@ using namespace fissura::coupler;
 namespace {
 
 nlohmann::json entry(std::uint64_t removed, std::uint64_t made) {
-  return {{"fracture", 3},
+  return {{"fracture", "slit"},
           {"x", 1.5},
           {"y", -0.25},
           {"elements_removed", removed},
@@ -49,14 +49,16 @@ TEST_CASE("remeshing.csv has one line for each inserted segment, as the structur
   const sample::TemporaryDirectory folder;
   RemeshLedger ledger(folder.path());
   ledger.add(7, 2.5, remeshing_from_json(entry(20, 26)));
-  ledger.add(8, 2.75, remeshing_from_json(entry(30, 24)));
+  nlohmann::json odd = entry(30, 24);
+  odd["fracture"] = "the \"north, old\" one";
+  ledger.add(8, 2.75, remeshing_from_json(odd));
   ledger.flush();
   const auto lines = sample::lines(folder.path() / "remeshing.csv");
   REQUIRE(lines.size() == 3);
   CHECK(lines[0].starts_with("revision,time,fracture,x,y,elements_removed,"));
   CHECK(lines[1] ==
-        "7,2.5,3,1.5,-0.25,20,26,1000,ab12,ab12,0.5,0.2,4e-05,3e-05,10,10.5,2,2,-3e-16,1e-15,0.002");
-  CHECK(lines[2].starts_with("8,2.75,"));
+        "7,2.5,slit,1.5,-0.25,20,26,1000,ab12,ab12,0.5,0.2,4e-05,3e-05,10,10.5,2,2,-3e-16,1e-15,0.002");
+  CHECK(lines[2].starts_with("8,2.75,\"the \"\"north, old\"\" one\",1.5,"));
 }
 
 TEST_CASE("the totals of remeshing are the worst of every kind", "[coupler][record]") {
