@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/case/read_case.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdint>
 
 #include <fmt/format.h>
@@ -32,6 +34,19 @@ std::pair<fs::path, fs::path> locate(const fs::path& path) {
     throw CaseFaults({Fault{whole(file.string()), "", "no such file",
                             "a case folder with a case.toml, or the file itself", ""}});
   return {file, file.has_parent_path() ? file.parent_path() : fs::path(".")};
+}
+
+/// A variant is named by the file beside case.toml, so its name can lead nowhere else.
+fs::path variant_file(const fs::path& folder, const std::string& variant) {
+  const bool plain =
+      !variant.empty() && std::all_of(variant.begin(), variant.end(), [](unsigned char letter) {
+        return std::isalnum(letter) != 0 || letter == '_';
+      });
+  if (!plain || variant == "case" || variant.starts_with("expected"))
+    throw CaseFaults(
+        {Fault{whole("--variant"), "", fmt::format("\"{}\"", variant),
+               "the name of a file NAME.toml beside case.toml, of letters, digits and underscores", ""}});
+  return folder / (variant + ".toml");
 }
 
 /// Another schema has other keys: nothing more can be said about such a case.
@@ -81,8 +96,8 @@ CaseReading read_case(const CaseSource& source) {
   input::CaseFiles files{folder, {file}};
   FaultList faults;
   input::SourceValue document = input::read_toml(file, faults);
-  if (source.form == CaseForm::short_form) {
-    files.read.push_back(folder / "short.toml");
+  for (const std::string& variant : source.variants) {
+    files.read.push_back(variant_file(folder, variant));
     merge(document, input::read_toml(files.read.back(), faults));
   }
   throw_if_any(faults);

@@ -11,14 +11,9 @@
 /// From a case folder to the typed case. The keys, units and defaults are in docs/case_format.md.
 namespace fissura {
 
-enum class CaseForm {
-  full,       ///< case.toml
-  short_form  ///< case.toml with short.toml over it
-};
-
 struct CaseSource {
   std::filesystem::path path;  ///< of the case folder, or of its case.toml
-  CaseForm form = CaseForm::full;
+  std::vector<std::string> variants;   ///< NAME.toml of the folder is laid over case.toml, one after the other
   std::vector<std::string> overrides;  ///< "KEY.PATH=VALUE" each, applied last and in order
 };
 

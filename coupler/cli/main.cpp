@@ -10,7 +10,6 @@
 
 namespace {
 
-using fissura::CaseForm;
 using fissura::CaseSource;
 using fissura::ExitCode;
 
@@ -20,7 +19,11 @@ void add_case_options(CLI::App& command, CaseSource& source, bool& short_form) {
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_flag("--short", short_form, "the short form of the case (case.toml with short.toml over it)");
+  command.add_option("--variant", source.variants, "lays NAME.toml of the case folder over case.toml")
+      ->type_name("NAME")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_flag("--short", short_form, "the short form: --variant short, after any other");
 }
 
 }  // namespace
@@ -49,7 +52,7 @@ int main(int argc, char** argv) {
 
   try {
     program.parse(argc, argv);
-    options.source.form = short_form ? CaseForm::short_form : CaseForm::full;
+    if (short_form) options.source.variants.emplace_back("short");
     if (run->parsed()) return fissura::coupler::run_command(options);
     return fissura::coupler::check_command(options.source);
   } catch (const CLI::ParseError& fault) {

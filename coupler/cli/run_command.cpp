@@ -25,15 +25,17 @@ std::string sibling(const char* name) {
   return fmt::format("'{}'", (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string());
 }
 
-std::filesystem::path default_directory(const CaseReading& reading, CaseForm form) {
-  const std::string name = std::filesystem::absolute(reading.folder).lexically_normal().filename().string();
-  return std::filesystem::path("runs") / (form == CaseForm::full ? name : name + "-short");
+std::filesystem::path default_directory(const CaseReading& reading, const std::vector<std::string>& variants) {
+  std::string name = std::filesystem::absolute(reading.folder).lexically_normal().filename().string();
+  for (const std::string& variant : variants) name += "-" + variant;
+  return std::filesystem::path("runs") / name;
 }
 
 /// Reads what the run must give, and enters the files that say so among those of the case.
-Expectations expectations_of(CaseReading& reading, CaseForm form) {
-  const std::filesystem::path file =
-      reading.folder / (form == CaseForm::full ? "expected.toml" : "expected_short.toml");
+Expectations expectations_of(CaseReading& reading, const std::vector<std::string>& variants) {
+  std::string name = "expected";
+  for (const std::string& variant : variants) name += "_" + variant;
+  const std::filesystem::path file = reading.folder / (name + ".toml");
   if (!std::filesystem::exists(file)) return {};
   const Expectations expectations = read_expectations(file, reading.value.time.end, judgeable_columns());
   check_references(expectations);
@@ -60,10 +62,10 @@ PreparedRun prepare_run(const RunOptions& options) {
   PreparedRun run;
   run.reading = read_case(options.source);
   run.end = end_of_run(options, run.reading.value);
-  const Expectations expectations = expectations_of(run.reading, options.source.form);
+  const Expectations expectations = expectations_of(run.reading, options.source.variants);
   // A run that is cut short cannot be judged by what it should give at its end.
   if (!options.until) run.expectations = expectations;
-  run.directory = options.directory.value_or(default_directory(run.reading, options.source.form));
+  run.directory = options.directory.value_or(default_directory(run.reading, options.source.variants));
   RunDirectory::check(run.directory);
   run.structure_command = options.structure_command.value_or(sibling("structure"));
   run.network_command = options.network_command.value_or(sibling("network"));

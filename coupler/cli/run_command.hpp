@@ -14,7 +14,7 @@ namespace fissura::coupler {
 /// `coupler run`, as typed.
 struct RunOptions {
   CaseSource source;
-  std::optional<std::filesystem::path> directory;  ///< default: runs/NAME or runs/NAME-short
+  std::optional<std::filesystem::path> directory;  ///< default: runs/NAME, with -VARIANT for each
   std::optional<std::string> network_command;      ///< default: the network beside this program
   std::optional<std::string> structure_command;
   std::optional<std::string> until;                ///< earlier end of the run, e.g. "2 s"

@@ -127,7 +127,7 @@ inline std::vector<std::string> faults_in(const Folder& folder,
   const std::vector<std::string> before = folder.content();
   std::vector<std::string> lines;
   try {
-    read_case({folder.path(), CaseForm::full, overrides});
+    read_case({folder.path(), {}, overrides});
   } catch (const CaseFaults& refusal) {
     CHECK(refusal.code() == ExitCode::case_invalid);
     for (Fault fault : refusal.faults()) {

@@ -13,7 +13,7 @@ namespace {
 Case read(const std::string& text, const std::vector<std::string>& overrides) {
   const Folder folder;
   folder.write("case.toml", text);
-  return read_case({folder.path(), CaseForm::full, overrides}).value;
+  return read_case({folder.path(), {}, overrides}).value;
 }
 
 Lines faults_with(const std::vector<std::string>& overrides) {

@@ -34,7 +34,7 @@ east = "10 m"
 south = "0 m"
 north = "10 m"
 )");
-  return read_case({folder.path(), CaseForm::full, {}}).value;
+  return read_case({folder.path(), {}, {}}).value;
 }
 
 }  // namespace

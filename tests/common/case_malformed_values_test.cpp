@@ -161,7 +161,7 @@ TEST_CASE("malformed case 20: a value off by a million runs, with a warning", "[
     const Folder folder;
     folder.write("case.toml", text);
     Lines lines;
-    for (Fault warning : read_case({folder.path(), CaseForm::full, {}}).warnings) {
+    for (Fault warning : read_case({folder.path(), {}, {}}).warnings) {
       warning.where.file = std::filesystem::path(warning.where.file).filename();
       lines.push_back(describe(warning));
     }

@@ -9,7 +9,7 @@ namespace {
 Case read(const std::string& text) {
   const Folder folder;
   folder.write("case.toml", text);
-  return read_case({folder.path(), CaseForm::full, {}}).value;
+  return read_case({folder.path(), {}, {}}).value;
 }
 
 }  // namespace
@@ -92,21 +92,45 @@ begin = "0 s"
 rate = "2e-3 m^3/s"
 fluid = "slickwater"
 )");
-  const CaseReading reading = read_case({folder.path(), CaseForm::short_form, {}});
+  const CaseReading reading = read_case({folder.path(), {"short"}, {}});
   CHECK(reading.value.mesh.fracture_size == 0.5);
   CHECK(reading.value.mesh.far_size == 40);
   REQUIRE(reading.value.injection.stages.size() == 1);
   CHECK(reading.value.injection.stages[0].rate == 2e-3);
   CHECK(reading.value.injection.perforations.size() == 1);
   CHECK(reading.files.size() == 2);
-  CHECK(read_case({folder.path(), CaseForm::full, {}}).value.mesh.fracture_size == 0.25);
+  CHECK(read_case({folder.path(), {}, {}}).value.mesh.fracture_size == 0.25);
+}
+
+TEST_CASE("variants are laid over the case one after the other", "[common][case]") {
+  const Folder folder;
+  folder.write("case.toml", valid_case);
+  folder.write("free.toml", "[growth]\npath = \"free\"\n[mesh]\nfracture_size = \"0.2 m\"\n");
+  folder.write("short.toml", "[mesh]\nfracture_size = \"0.5 m\"\n");
+  const Case free = read_case({folder.path(), {"free"}, {}}).value;
+  CHECK(free.growth.path == PathRule::free);
+  CHECK(free.mesh.fracture_size == 0.2);
+  const Case both = read_case({folder.path(), {"free", "short"}, {}}).value;
+  CHECK(both.growth.path == PathRule::free);
+  CHECK(both.mesh.fracture_size == 0.5);
+}
+
+TEST_CASE("a variant is a file beside case.toml, and none of the others there", "[common][case]") {
+  const Folder folder;
+  folder.write("case.toml", valid_case);
+  for (const char* name : {"", "../case", "case", "expected", "expected_short", "short.toml"}) {
+    CAPTURE(name);
+    CHECK_THROWS_WITH(read_case({folder.path(), {name}, {}}), Catch::Contains("--variant"));
+  }
+  CHECK_THROWS_WITH(read_case({folder.path(), {"missing"}, {}}),
+                    Catch::Contains("missing.toml: found no such file"));
 }
 
 TEST_CASE("a fault of short.toml is told with the place in short.toml", "[common][case]") {
   const Folder folder;
   folder.write("case.toml", valid_case);
   folder.write("short.toml", "[rock]\npoissons_ratio = 0.6\n");
-  CHECK_THROWS_WITH(read_case({folder.path(), CaseForm::short_form, {}}),
+  CHECK_THROWS_WITH(read_case({folder.path(), {"short"}, {}}),
                     Catch::Contains("short.toml:2:18: rock.poissons_ratio: found 0.6"));
 }
 
@@ -117,7 +141,7 @@ TEST_CASE("values set on the command line come last, as TOML or as plain text", 
       "mesh.fracture_size=0.5 m",   "mesh.far_size=\"30 m\"",
       "rock.poissons_ratio=0.25",   "injection.stage[0].rate=2 l/s",
       "coupling.scheme=profit2016", "fracture[1].points[1]=[\"9 m\", \"0 m\"]"};
-  const Case value = read_case({folder.path(), CaseForm::full, overrides}).value;
+  const Case value = read_case({folder.path(), {}, overrides}).value;
   CHECK(value.mesh.fracture_size == 0.5);
   CHECK(value.mesh.far_size == 30);
   CHECK(value.rock.poissons_ratio == 0.25);
@@ -139,5 +163,6 @@ TEST_CASE("a value set on the command line that cannot be is a fault like any ot
             "--set: rock.poissons_ratio: found 0.6, expected a number greater than -1 and less than 0.5",
             "--set: rock.youngs: found an unknown key, expected one of density, youngs_modulus, "
             "poissons_ratio, "
-            "tensile_strength, fracture_energy, biot_coefficient, friction_coefficient; did you mean \"youngs_modulus\"?"});
+            "tensile_strength, fracture_energy, biot_coefficient, friction_coefficient; did you mean "
+            "\"youngs_modulus\"?"});
 }
