@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structure/structure_snapshot.hpp"
 
+#include <optional>
+
 #include "common/byte_archive.hpp"
 #include "common/fracture_network/insertion_json.hpp"
+#include "structure/geometry_archive.hpp"
 
 namespace fissura::structure {
 
 namespace {
 
-constexpr std::uint64_t format = 1;
+enum class SavedGeometry : std::uint8_t { of_the_case, included };
+
+constexpr std::uint64_t format = 2;
 
 std::string text_of(const std::vector<Insertion>& insertions) {
   nlohmann::json list = nlohmann::json::array();
@@ -22,6 +27,29 @@ std::vector<Insertion> insertions_of(const std::string& text) {
   return insertions;
 }
 
+void save_joints(const Joints& joints, ByteWriter& bytes) {
+  bytes.put(joints.properties);
+  bytes.put(joints.state);
+  bytes.put(joints.released);
+  bytes.put(joints.ramp);
+}
+
+void restore_joints(ByteReader& bytes, Joints& joints) {
+  bytes.get(joints.properties);
+  bytes.get(joints.state);
+  bytes.get(joints.released);
+  bytes.get(joints.ramp);
+}
+
+void require_same_mesh(const Mesh& mesh, const StructureState& state) {
+  const Joints& joints = state.joints;
+  const std::size_t nodes = mesh.position.size(), units = mesh.units.size();
+  if (state.body.displacement.size() != 2 * nodes || state.body.velocity.size() != 2 * nodes ||
+      joints.properties.size() != units || joints.state.size() != units || joints.released.size() != units ||
+      joints.ramp.size() != units)
+    throw Error(ExitCode::checkpoint_unusable, "the saved state belongs to another mesh");
+}
+
 }  // namespace
 
 std::vector<std::byte> save_snapshot(const Snapshot& snapshot, const Geometry& geometry) {
@@ -30,43 +58,47 @@ std::vector<std::byte> save_snapshot(const Snapshot& snapshot, const Geometry& g
   bytes.put(snapshot.time);
   bytes.put(snapshot.steps);
   bytes.put(text_of(snapshot.insertions));
+  bytes.put(geometry.number == 0 ? SavedGeometry::of_the_case : SavedGeometry::included);
+  if (geometry.number != 0) save_geometry(geometry, bytes);
   bytes.put(snapshot.state.body.displacement);
   bytes.put(snapshot.state.body.velocity);
   bytes.put(damage_records(geometry.tiles, snapshot.state.body.damage));
-  bytes.put(snapshot.state.joints.state);
-  bytes.put(snapshot.state.joints.released);
-  bytes.put(snapshot.state.joints.ramp);
+  save_joints(snapshot.state.joints, bytes);
   bytes.put(snapshot.state.mass_scaling);
   return bytes.take();
 }
 
-Snapshot restore_snapshot(const std::vector<std::byte>& bytes, const Geometry& geometry,
-                          const StructureState& pattern) {
-  Snapshot snapshot{0, 0, {}, pattern};
+Snapshot restore_snapshot(const std::vector<std::byte>& bytes, const StructureModel& model, Geometry& geometry) {
   ByteReader reader(bytes);
   std::uint64_t found_format = 0;
-  std::string insertions;
-  std::vector<ElementDamage> damage;
   reader.get(found_format);
   if (found_format != format) throw Error(ExitCode::checkpoint_unusable, "the saved state has another format");
-  reader.get(snapshot.time);
-  reader.get(snapshot.steps);
+  double time = 0;
+  std::uint64_t steps = 0;
+  std::string insertions;
+  SavedGeometry saved{};
+  reader.get(time);
+  reader.get(steps);
   reader.get(insertions);
+  reader.get(saved);
+  std::optional<Geometry> other;
+  if (saved == SavedGeometry::included)
+    other = restore_geometry(reader);
+  else if (geometry.number != 0)
+    other = build_geometry(model);
+  const Geometry& found = other ? *other : geometry;
+
+  Snapshot snapshot{time, steps, insertions_of(insertions), initial_state(model, found)};
+  std::vector<ElementDamage> damage;
   reader.get(snapshot.state.body.displacement);
   reader.get(snapshot.state.body.velocity);
   reader.get(damage);
-  reader.get(snapshot.state.joints.state);
-  reader.get(snapshot.state.joints.released);
-  reader.get(snapshot.state.joints.ramp);
+  restore_joints(reader, snapshot.state.joints);
   reader.get(snapshot.state.mass_scaling);
   reader.end();
-  snapshot.insertions = insertions_of(insertions);
-  if (!damage.empty()) snapshot.state.body.damage = damage_from_records(geometry.tiles, damage);
-  const std::size_t units = geometry.mesh.units.size();
-  if (snapshot.state.body.displacement.size() != 2 * geometry.mesh.position.size() ||
-      snapshot.state.joints.state.size() != units || snapshot.state.joints.released.size() != units ||
-      snapshot.state.joints.ramp.size() != units)
-    throw Error(ExitCode::checkpoint_unusable, "the saved state belongs to another mesh");
+  require_same_mesh(found.mesh, snapshot.state);
+  if (!damage.empty()) snapshot.state.body.damage = damage_from_records(found.tiles, damage);
+  if (other) geometry = std::move(*other);
   return snapshot;
 }
 

@@ -105,7 +105,7 @@ std::vector<std::byte> StructureSolver::save() {
 }
 
 void StructureSolver::restore(const std::vector<std::byte>& bytes) {
-  Snapshot snapshot = restore_snapshot(bytes, geometry_, *state_);
+  Snapshot snapshot = restore_snapshot(bytes, *model_, geometry_);
   time_ = snapshot.time;
   steps_ = snapshot.steps;
   insertions_ = std::move(snapshot.insertions);

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstring>
+
+#include "common/errors.hpp"
+#include "structure/dynamics/energy.hpp"
+#include "structure/structure_run.hpp"
+#include "structure/structure_snapshot.hpp"
+#include "tests/fakes/structure/mesh_changes.hpp"
+#include "tests/fakes/structure/shale_case.hpp"
+
+using namespace fissura;
+using namespace fissura::structure;
+using namespace fissura::structure::fakes;
+
+namespace {
+
+Case slit_case() {
+  Case settings = stressed_shale_case();
+  settings.domain = {40, 40, 1};
+  settings.mesh = {0.5, 2, 2, 0.3, 1};
+  settings.boundary.west.kind = BoundaryKind::roller;
+  settings.fractures.push_back({"slit", FractureKind::open, {{-4, 0}, {4, 0}}, 0, 0, 0.5, 0});
+  settings.fractures.push_back({"joint", FractureKind::natural, {{8, -4}, {8, 4}}, 0, 0, 0.6, 1e5});
+  return settings;
+}
+
+struct Structure {
+  StructureModel model{slit_case(), elasticity(slit_case().rock), 1};
+  Geometry geometry = build_geometry(model);
+  StructureState state = initial_state(model, geometry);
+
+  void advance(double begin, double end) {
+    for (PressureRamp& ramp : state.joints.ramp) ramp = {20e6, 20e6, 0, 0, 0};
+    StructureRun(model, geometry).advance(begin, end, state);
+  }
+
+  void follow(const MeshChange& change) {
+    structure::follow(model, change, geometry);
+    state.body.displacement.resize(2 * geometry.mesh.position.size(), 0);
+    state.body.velocity.resize(2 * geometry.mesh.position.size(), 0);
+    for (const UnitIndex unit : change.new_units) {
+      state.joints.properties.push_back(joint_properties(geometry.mesh, unit, model.run_case.rock));
+      state.joints.state.push_back({});
+      state.joints.released.push_back(1);
+      state.joints.ramp.push_back({});
+    }
+  }
+
+  void change_mesh() {
+    Mesh& mesh = geometry.mesh;
+    follow(refine(mesh, {5, 1}, 1));
+    follow(coarsen(mesh, {-10, 10}, 6));
+    mesh.lines.push_back({"grown", FractureKind::intact, {{-10, -10}, {-9, -10}}, 1e6, 100, 0.6, 0});
+    follow(tear(mesh, {-10, -10}));
+    follow(refine(mesh, {-10, -8}, 2));
+  }
+};
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+void require_same_motion(const Structure& a, const Structure& b) {
+  REQUIRE(same_bits(a.state.body.displacement, b.state.body.displacement));
+  REQUIRE(same_bits(a.state.body.velocity, b.state.body.velocity));
+  for (std::size_t u = 0; u < a.state.joints.state.size(); ++u)
+    REQUIRE(a.state.joints.state[u].opening == b.state.joints.state[u].opening);
+}
+
+Structure restored(const std::vector<std::byte>& bytes) {
+  Structure structure;
+  structure.state = restore_snapshot(bytes, structure.model, structure.geometry).state;
+  return structure;
+}
+
+}  // namespace
+
+TEST_CASE("a structure restored after insertions goes on bit for bit, through further insertions",
+          "[structure][snapshot]") {
+  Structure original;
+  original.advance(0, 0.01);
+  original.change_mesh();
+  original.advance(0.01, 0.02);
+  Structure copy = restored(save_snapshot({0.02, 7, {}, original.state}, original.geometry));
+  CHECK(copy.geometry.number == original.geometry.number);
+  CHECK(copy.geometry.mesh.lines.back().name == "grown");
+  CHECK(kinetic_energy(original.geometry.body, original.state.body.velocity, 1) > 0);
+  require_same_motion(original, copy);
+  for (Structure* structure : {&original, &copy}) {
+    structure->advance(0.02, 0.03);
+    structure->follow(refine(structure->geometry.mesh, {-5, -1}, 1));
+    structure->follow(coarsen(structure->geometry.mesh, {10, -10}, 6));
+    structure->advance(0.03, 0.04);
+  }
+  require_same_motion(original, copy);
+  CHECK(original.geometry.frequency_squared == copy.geometry.frequency_squared);
+  CHECK(original.geometry.mesh.unused_nodes == copy.geometry.mesh.unused_nodes);
+}
+
+TEST_CASE("a structure goes back behind its insertions to the mesh of the case", "[structure][snapshot]") {
+  Structure original;
+  original.advance(0, 0.01);
+  const auto bytes = save_snapshot({0.01, 3, {}, original.state}, original.geometry);
+  Structure other = restored(bytes);
+  other.change_mesh();
+  const Snapshot snapshot = restore_snapshot(bytes, other.model, other.geometry);
+  other.state = snapshot.state;
+  CHECK(snapshot.time == 0.01);
+  CHECK(snapshot.steps == 3);
+  CHECK(other.geometry.number == 0);
+  original.advance(0.01, 0.02);
+  other.advance(0.01, 0.02);
+  require_same_motion(original, other);
+}
+
+TEST_CASE("a damaged or foreign snapshot is refused and leaves the geometry as it is",
+          "[structure][snapshot]") {
+  Structure original;
+  original.change_mesh();
+  const auto bytes = save_snapshot({0, 0, {}, original.state}, original.geometry);
+  Structure other;
+  for (const std::size_t length : {std::size_t{9}, bytes.size() / 4, bytes.size() / 2, bytes.size() - 1})
+    CHECK_THROWS_AS(restore_snapshot({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length)},
+                                     other.model, other.geometry),
+                    Error);
+  CHECK(other.geometry.number == 0);
+  CHECK_THROWS_AS(restore_snapshot(save_snapshot({0, 0, {}, original.state}, other.geometry), other.model,
+                                   other.geometry),
+                  Error);
+}
