@@ -19,9 +19,14 @@ namespace {
 // In units of tip_size.
 constexpr double trigger_radius = 2, trigger_width = 1;
 constexpr double direction_radius = 3, direction_width = 1.5;
-constexpr double patch_radius = 2.2;
-constexpr double patch_growth = 1.35;  // of the radius after a failed attempt
-constexpr int patch_attempts = 4;
+
+struct PatchAttempt {
+  double radius = 0;
+  CoarseElements coarse_elements = CoarseElements::refined;
+};
+constexpr std::array patch_attempts{PatchAttempt{2.2, CoarseElements::refined}, PatchAttempt{2.97, CoarseElements::refined},
+                                    PatchAttempt{2.2, CoarseElements::left}, PatchAttempt{2.97, CoarseElements::left},
+                                    PatchAttempt{4.0, CoarseElements::left}};
 constexpr double least_altitude = 0.4;  // about half of what the first mesh has at h, so that the stable step does not fall more
 
 class GrowthPlanner {
@@ -84,10 +89,9 @@ class GrowthPlanner {
     const NextSegment segment = next_segment(geometry_.mesh, model_.run_case.domain, tip, direction, growth.segment_length * h, h);
     if (!segment.end) return std::nullopt;
     const std::vector<Point> line{tip.position, segment.end->position};
-    double radius = patch_radius * h;
-    for (int attempt = 0; attempt < patch_attempts; ++attempt, radius *= patch_growth) {
-      const PatchChoice choice =
-          choose_patch(geometry_.mesh, geometry_.node_elements, controls_, {tip.node, line[0], line[1], radius});
+    for (const PatchAttempt& attempt : patch_attempts) {
+      const PatchChoice choice = choose_patch(geometry_.mesh, geometry_.node_elements, controls_,
+                                              {tip.node, line[0], line[1], attempt.radius * h}, attempt.coarse_elements);
       if (touches_taken(choice.elements)) return std::nullopt;
       const PatchOutline edge = outline(geometry_.mesh, choice.elements, fracture_nodes(geometry_.mesh));
       const auto mesh = mesh_patch(edge, line, choice.field, least_altitude * h);

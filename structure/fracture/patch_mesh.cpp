@@ -73,10 +73,13 @@ std::optional<PatchMesh> mesh_patch(const PatchOutline& outline, const std::vect
   add_line(outline, line, problem);
   problem.fixed = problem.points.size();
   problem.sides = outline.sides;
-  problem.field = &field;
+  std::vector<std::pair<Point, Point>> kept;
+  for (const PointPair& edge : problem.edges) kept.emplace_back(problem.points[edge[0]], problem.points[edge[1]]);
+  const PatchSizeField size(field, kept);
+  problem.field = &size;
   for (std::size_t k = outline.fixed; k < outline.points.size(); ++k) {
     const Point& point = outline.points[k];
-    if (distance_to_line(point, line) < cleared_beside_line * field.size(point)) continue;
+    if (distance_to_line(point, line) < cleared_beside_line * size.size(point)) continue;
     problem.origin.push_back(static_cast<std::uint32_t>(k));
     problem.points.push_back(point);
   }

@@ -15,7 +15,7 @@ struct PatchProblem {
   std::vector<PointPair> edges;       ///< among the fixed points; kept
   std::vector<std::uint32_t> origin;  ///< of each free point: its point of the outline or PatchMesh::added
   std::vector<PointPair> sides;       ///< edges of the outline, directed with the patch to the left
-  const TipSizeField* field = nullptr;
+  const PatchSizeField* field = nullptr;
 };
 
 /// Adds, removes and moves free points until the triangles are good; returns the triangles inside the patch. Throws SolverError if an

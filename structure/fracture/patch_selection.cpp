@@ -3,18 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <unordered_set>
 
 #include "structure/dynamics/triangle.hpp"
-#include "structure/mesh/triangle_shape.hpp"
 
 namespace fissura::structure {
 
 namespace {
 
-// Longest edge over target size.
-constexpr double too_coarse = 1.9;
-constexpr double coarse = 1.4;
+// Size of an element over target size.
+constexpr double too_coarse = 1.7;
+constexpr double coarse = 1.35;
 constexpr double segments_ahead = 2.5;  // that a refinement looks ahead, in units of tip_size
 
 class Selection {
@@ -27,9 +27,9 @@ class Selection {
         ahead_(controls, place.begin, place.end, segments_ahead * controls.tip_size),
         surroundings_(controls.tip_radius + segments_ahead * controls.tip_size) {}
 
-  PatchChoice choose() {
+  PatchChoice choose(CoarseElements coarse_elements) {
     visit();
-    if (!refine_) return {around_segment(), now_};
+    if (!refine_ || coarse_elements == CoarseElements::left) return {around_segment(), now_};
     std::unordered_set<ElementIndex> chosen;
     for (const ElementIndex element : around_segment()) chosen.insert(element);
     for (const ElementIndex element : seen_)
@@ -73,9 +73,9 @@ class Selection {
     return elements;
   }
 
+  // Edge of the equilateral triangle of the same area.
   [[nodiscard]] double size(ElementIndex element) const {
-    const auto& [a, b, c] = mesh_.elements[element];
-    return shape(mesh_.position[a], mesh_.position[b], mesh_.position[c]).longest_edge;
+    return std::sqrt(4 / std::numbers::sqrt3 * triangle(mesh_, element).area);
   }
 
   [[nodiscard]] double gap(ElementIndex element) const {
@@ -103,8 +103,8 @@ class Selection {
 }  // namespace
 
 PatchChoice choose_patch(const Mesh& mesh, const NodeElements& node_elements, const MeshControls& controls,
-                         const PatchPlace& place) {
-  return Selection(mesh, node_elements, controls, place).choose();
+                         const PatchPlace& place, CoarseElements coarse_elements) {
+  return Selection(mesh, node_elements, controls, place).choose(coarse_elements);
 }
 
 }  // namespace fissura::structure

@@ -15,6 +15,11 @@ struct PatchPlace {
   double radius = 0;     ///< elements with their centroid nearer than this to the segment belong to the patch [m]
 };
 
+enum class CoarseElements {
+  refined,  ///< those too coarse for a tip there belong to the patch
+  left      ///< they stay as they are
+};
+
 struct PatchChoice {
   std::vector<ElementIndex> elements;  ///< ascending
   TipSizeField field;                  ///< target size of what replaces them
@@ -24,6 +29,6 @@ struct PatchChoice {
 /// neighbours. Only elements connected to the tip through nodes are looked at. Once an element is too coarse, the mesh is refined for
 /// the next few segments too, so that not every insertion has to.
 PatchChoice choose_patch(const Mesh& mesh, const NodeElements& node_elements, const MeshControls& controls,
-                         const PatchPlace& place);
+                         const PatchPlace& place, CoarseElements coarse_elements);
 
 }  // namespace fissura::structure

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "structure/mesh/segment_tree.hpp"
@@ -25,12 +28,35 @@ class TipSizeField {
     return beyond > 0 ? size_ + gradation_ * beyond : size_;
   }
 
-  /// Farther from the segment than this an element of this size is never too coarse [m].
-  [[nodiscard]] double reach(double size) const { return radius_ + (size - size_) / gradation_; }
+  [[nodiscard]] double gradation() const { return gradation_; }
+  [[nodiscard]] double tip_size() const { return size_; }
 
  private:
   Point begin_, end_;
   double size_, radius_, gradation_;
+};
+
+/// Target edge length inside a patch: that of the tip, but not much more than the edges that stay,
+///   h(x) = min(tip(x), max(0.85 tip_size, min over edges (length + tip_gradation distance))) .
+/// The bound keeps a short edge from making the mesh finer with every insertion.
+class PatchSizeField {
+ public:
+  /// @param edges  that stay: their two ends [m]
+  PatchSizeField(const TipSizeField& tip, const std::vector<std::pair<Point, Point>>& edges) : tip_(tip) {
+    std::vector<WeightedSegment> segments;
+    for (const auto& [begin, end] : edges)
+      segments.push_back({begin, end, std::hypot(end[0] - begin[0], end[1] - begin[1]) / tip.gradation()});
+    edges_ = SegmentTree(std::move(segments));
+  }
+
+  [[nodiscard]] double size(const Point& at) const {
+    constexpr double finest = 0.85;  // of the size at the tip
+    return std::min(tip_.size(at), std::max(finest * tip_.tip_size(), tip_.gradation() * edges_.nearest(at).distance));
+  }
+
+ private:
+  TipSizeField tip_;
+  SegmentTree edges_;
 };
 
 }  // namespace fissura::structure
