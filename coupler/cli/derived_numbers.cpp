@@ -25,9 +25,13 @@ std::string regime(double toughness) {
   return toughness > 4 ? "toughness dominates" : "between viscosity and toughness";
 }
 
+double edge_at_the_tips(const Case& run_case) {
+  return run_case.growth.path == PathRule::free ? run_case.mesh.tip_size : run_case.mesh.fracture_size;
+}
+
 /// Smallest step that a regular triangle of edge h allows, at physical density [s].
 double step_of_regular_triangle(const Case& run_case) {
-  const double altitude = std::sqrt(3.0) / 2 * run_case.mesh.fracture_size;
+  const double altitude = std::sqrt(3.0) / 2 * edge_at_the_tips(run_case);
   return run_case.dynamics.safety_factor * altitude / compression_wave(run_case.rock) /
          std::sqrt(1 + run_case.dynamics.damping);
 }
@@ -36,7 +40,7 @@ double step_of_regular_triangle(const Case& run_case) {
 
 std::vector<DerivedNumber> derived_numbers(const Case& run_case) {
   const Rock& rock = run_case.rock;
-  const double modulus = rock.plane_strain_modulus(), h = run_case.mesh.fracture_size;
+  const double modulus = rock.plane_strain_modulus(), h = edge_at_the_tips(run_case);
   std::vector<DerivedNumber> numbers;
   numbers.push_back({"plane-strain modulus", modulus, "Pa", ""});
   const double toughness = std::sqrt(modulus * rock.fracture_energy);

@@ -65,7 +65,7 @@ constexpr std::array columns{
                   [](const Record& r) { return r.cohesive_work; }},
     RecordedScalar{"failure_work", "J", "spent on damage and plastic flow of the rock so far",
                   [](const Record& r) { return r.failure_work; }},
-    RecordedScalar{"cohesive_share", "1", "cohesive_work / (fracture energy times the area of the grown fracture)",
+    RecordedScalar{"cohesive_share", "1", "cohesive_work / (fracture energy times area of broken joints and half of other opened ones)",
                   [](const Record& r) { return r.cohesive_share; }},
     RecordedScalar{"path_deviation", "m", "greatest distance of the grown fracture from the line of the perforated slit",
                   [](const Record& r) { return r.path_deviation; }},

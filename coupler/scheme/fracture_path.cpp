@@ -113,10 +113,14 @@ class PathFinder {
       const NetworkSegment& segment = network_.segments()[s];
       if (segment.kind == SegmentKind::hydraulic && !on_an_open_line(segment)) path_.grown.push_back(s);
     }
+    std::set<std::size_t> nodes;
     for (const std::size_t s : path_.grown) {
+      nodes.insert({network_.index_of(network_.segments()[s].node_a),
+                    network_.index_of(network_.segments()[s].node_b)});
       grown_at_.emplace(network_.segments()[s].node_a, s);
       grown_at_.emplace(network_.segments()[s].node_b, s);
     }
+    path_.nodes.assign(nodes.begin(), nodes.end());
   }
 
   /// The nodes of the wing from `slit_end` on; that alone if none has grown.
@@ -183,13 +187,12 @@ FracturePath fracture_path(const FractureNetwork& network, const Case& run_case)
 double grown_length(const FractureNetwork& network, const FracturePath& path,
                     const std::vector<double>& opened, const std::vector<double>& broken) {
   double sum = 0;
-  for (const std::size_t s : path.grown) {
-    const NetworkSegment& segment = network.segments()[s];
-    const std::size_t a = network.index_of(segment.node_a), b = network.index_of(segment.node_b);
-    if (broken[a] > 0 && broken[b] > 0)
-      sum += segment.length;
-    else if (opened[a] > 0 && opened[b] > 0)
-      sum += segment.length / 2;
+  for (const std::size_t i : path.nodes) {
+    const double length = network.nodes()[i].lumped_length;
+    if (broken[i] > 0)
+      sum += length;
+    else if (opened[i] > 0)
+      sum += length / 2;
   }
   return sum;
 }

@@ -27,8 +27,8 @@ struct FracturePath {
 /// stress is isotropic the slit takes the place of the axis of greatest compression.
 FracturePath fracture_path(const FractureNetwork& network, const Case& run_case);
 
-/// Length of grown segments to the middle between last opened and last fully broken node: that of the
-/// segments with two fully broken nodes, and half that of the others with two opened ones [m].
+/// Trace length for which the joints at the grown segments have been pulled apart: the lumped length of their nodes that are
+/// fully broken, and half of that of the others that are opened [m].
 /// @param opened, broken  one value per node, > 0 for marked
 double grown_length(const FractureNetwork& network, const FracturePath& path,
                     const std::vector<double>& opened, const std::vector<double>& broken);

@@ -28,7 +28,7 @@ IntervalRecord interval_figures(const CouplingInterval& interval, const Fracture
                                 const StructureResponse& structure, const NetworkAnswer& answer);
 
 /// Adds where the fracture went, what was spent on it, and the size of the mesh. The cohesive share compares the work with
-/// G_f times thickness times grown_length; it is 0 before anything has grown.
+/// G_f times thickness times grown_length, which is what the joints need; it is 0 before anything has grown.
 void add_growth_figures(const FractureNetwork& network, const FracturePath& path, const StructureResponse& structure,
                         const Case& run_case, IntervalRecord& record);
 

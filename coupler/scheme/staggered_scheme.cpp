@@ -34,6 +34,10 @@ double least_bulk_modulus(const std::vector<Fluid>& fluids) {
   return least;
 }
 
+double edge_at_the_tips(const Case& run_case) {
+  return run_case.growth.path == PathRule::free ? run_case.mesh.tip_size : run_case.mesh.fracture_size;
+}
+
 }  // namespace
 
 StaggeredScheme::StaggeredScheme(const Case& run_case, double end, Trio& trio, RunRecord& record, StatusPage& status)
@@ -43,7 +47,7 @@ StaggeredScheme::StaggeredScheme(const Case& run_case, double end, Trio& trio, R
       status_(status),
       fault_(fault_plan_of_environment("coupler")),
       clock_(end),
-      interval_control_(run_case.coupling, run_case.mesh.fracture_size),
+      interval_control_(run_case.coupling, edge_at_the_tips(run_case)),
       progress_(end),
       events_(pump_events(run_case.injection)),
       fluid_bulk_modulus_(least_bulk_modulus(run_case.fluids)) {}

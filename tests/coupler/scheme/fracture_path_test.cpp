@@ -184,7 +184,7 @@ TEST_CASE("a bent fracture is as long as its trace", "[coupler][scheme][path]") 
   CHECK(half_length(slit.sketch.network()) == Approx((2 + 3 + 5) / 2.).epsilon(rounding));
 }
 
-TEST_CASE("the cohesive share counts grown area to the middle between last opened and last fully broken node",
+TEST_CASE("the cohesive share counts broken joints of the grown fracture whole, others that have opened half",
           "[coupler][scheme][path]") {
   Slit slit;
   slit.sketch.grow(slit.east, {{2, 0}, {3, 0}, {4, 0}});
@@ -196,10 +196,10 @@ TEST_CASE("the cohesive share counts grown area to the middle between last opene
   structure.cohesive_work = 120;
   structure.failure_work = 7;
   structure.elements = 4321;
-  // One metre fully broken, one opened: 1.5 m of 50 J/m2 over 2 m of thickness.
+  // Every node stands for 1 m: the end of the slit and one more are broken, one is opened, one is closed.
   IntervalRecord record;
   add_growth_figures(network, path, structure, isotropic_case, record);
-  CHECK(record.cohesive_share == Approx(120 / 150.).epsilon(rounding));
+  CHECK(record.cohesive_share == Approx(120 / 250.).epsilon(rounding));
   CHECK(record.cohesive_work == 120);
   CHECK(record.failure_work == 7);
   CHECK(record.elements == 4321);
