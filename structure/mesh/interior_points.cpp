@@ -6,6 +6,8 @@
 #include <numbers>
 #include <random>
 
+#include "structure/mesh/lattice.hpp"
+
 namespace fissura::structure {
 namespace {
 
@@ -18,12 +20,18 @@ constexpr double same_place = 1e-6;                     // of the spacing
 constexpr double direction_jitter = 0.2;                // [rad]
 constexpr double distance_jitter = 0.08;                // of the target size
 constexpr double steepest_growth = 0.75;                // bound on the change of size within a search radius
+constexpr double half_sector = std::numbers::pi / 6;    // turns a hexagon by up to this cover all directions
+constexpr double uniform_within = 1e-9;                 // relative
 
 class Placement {
  public:
   Placement(const LineArrangement& lines, const PrescribedPoints& prescribed, const MeshRegion& region,
-            const MeshControls& controls)
-      : stretches_(stretches(lines, controls)), region_(region), controls_(controls), random_(controls.seed) {
+            const Case& given)
+      : stretches_(stretches(lines, given.mesh)),
+        region_(region),
+        given_(given),
+        controls_(given.mesh),
+        random_(given.mesh.seed) {
     cloud_.prescribed = static_cast<std::uint32_t>(prescribed.points.size());
     cloud_.held.assign(prescribed.points.size(), 1);
     cloud_.points = prescribed.points;
@@ -32,11 +40,17 @@ class Placement {
       const Point a = prescribed.points[edge[0]], b = prescribed.points[edge[1]];
       heading_[edge[0]] = heading_[edge[1]] = std::atan2(b[1] - a[1], b[0] - a[0]);
     }
-    for (const Point& point : cloud_.points) taken_.add(point, region_.field().size(point));
+    for (const Point& point : cloud_.points) {
+      spacing_.push_back(region_.field().size(point));
+      taken_.add(point, spacing_.back());
+    }
   }
 
   PointCloud place() {
-    add_rows();
+    if (controls_.lattice_angle)
+      add_lattices();
+    else if (given_.growth.path == PathRule::prescribed)
+      add_rows();
     hold_full_rings();
     spread();
     return std::move(cloud_);
@@ -47,7 +61,24 @@ class Placement {
     cloud_.points.push_back(point);
     cloud_.held.push_back(0);
     heading_.push_back(heading);
+    spacing_.push_back(size);
     taken_.add(point, size);
+  }
+
+  void add_lattices() {
+    for (const UniformPart& part : uniform_parts(given_, stretches_))
+      for (const Point& point : hexagonal_lattice(part, *controls_.lattice_angle)) {
+        const MeshRegion::Sample sample = region_.sample(point);
+        if (std::abs(sample.size - part.size) <= uniform_within * part.size &&
+            has_room(point, sample, part.size))
+          add(point, part.size, *controls_.lattice_angle);
+      }
+  }
+
+  [[nodiscard]] bool has_room(Point point, const MeshRegion::Sample& sample, double spacing) const {
+    return sample.clearance >= row_clearance * spacing &&
+           taken_.nearest(point, nearest_in_rows * spacing, (1 - steepest_growth) * spacing) >=
+               nearest_in_rows * spacing;
   }
 
   void add_rows() {
@@ -84,16 +115,15 @@ class Placement {
     const double own = distance_to_segment(point, stretch.begin, stretch.end);
     if (own > controls_.corridor) return false;
     const MeshRegion::Sample sample = region_.sample(point);
-    return sample.distance >= own - same_place * spacing && sample.clearance >= row_clearance * spacing &&
+    return sample.distance >= own - same_place * spacing &&
            sample.size >= (1 - distance_jitter) * std::min(spacing, controls_.fracture_size) &&
-           taken_.nearest(point, nearest_in_rows * spacing, (1 - steepest_growth) * spacing) >=
-               nearest_in_rows * spacing;
+           has_room(point, sample, spacing);
   }
 
   void hold_full_rings() {
     for (std::uint32_t i = cloud_.prescribed; i < cloud_.points.size(); ++i) {
       const Point point = cloud_.points[i];
-      const double spacing = stretches_[region_.field().nearest_line(point)].edge_length;
+      const double spacing = spacing_[i];
       bool full = true;
       for (int k = 0; k < 6 && full; ++k) {
         const double angle = heading_[i] + k * std::numbers::pi / 3;
@@ -113,9 +143,10 @@ class Placement {
       if (cloud_.held[i] && i >= cloud_.prescribed) continue;
       const Point from = cloud_.points[i];
       const double size = region_.field().size(from);
+      const double turn = given_.growth.path == PathRule::free ? uniform(-half_sector, half_sector) : 0;
       for (int k = 0; k < 6; ++k) {
         const double angle =
-            heading_[i] + k * std::numbers::pi / 3 + uniform(-direction_jitter, direction_jitter);
+            heading_[i] + turn + k * std::numbers::pi / 3 + uniform(-direction_jitter, direction_jitter);
         const double stretch = uniform(1 - distance_jitter, 1 + distance_jitter);
         const Point guess{from[0] + size * std::cos(angle), from[1] + size * std::sin(angle)};
         const double step = stretch * (size + region_.field().size(guess)) / 2;
@@ -131,18 +162,20 @@ class Placement {
 
   std::vector<SizedSegment> stretches_;
   const MeshRegion& region_;
-  MeshControls controls_;
+  const Case& given_;
+  const MeshControls& controls_;
   std::mt19937_64 random_;
   PointCloud cloud_;
   std::vector<double> heading_;  // direction in which the neighbours of a point are sought first [rad]
+  std::vector<double> spacing_;  // distance of the neighbours of a point [m]
   OccupancyGrid taken_;
 };
 
 }  // namespace
 
 PointCloud place_interior_points(const LineArrangement& lines, const PrescribedPoints& prescribed,
-                                 const MeshRegion& region, const MeshControls& controls) {
-  return Placement(lines, prescribed, region, controls).place();
+                                 const MeshRegion& region, const Case& given) {
+  return Placement(lines, prescribed, region, given).place();
 }
 
 }  // namespace fissura::structure

@@ -10,11 +10,11 @@ namespace fissura::structure {
 
 PlanarMesh mesh_domain(const Case& given) {
   const LineArrangement lines = arrange_lines(given);
-  const SizeField field(given.mesh, stretches(lines, given.mesh));
+  const SizeField field(given.mesh, stretches(lines, given.mesh), growing_tips(lines, given));
   PrescribedPoints prescribed = prescribe_points(lines, field, given);
   const MeshRegion region(given.domain, field);
 
-  PointCloud cloud = place_interior_points(lines, prescribed, region, given.mesh);
+  PointCloud cloud = place_interior_points(lines, prescribed, region, given);
   std::vector<PointTriple> triangles = relax_points(cloud, prescribed.edges, region);
   return {std::move(cloud.points), std::move(triangles), std::move(prescribed.line_edges)};
 }

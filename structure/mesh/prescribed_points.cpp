@@ -7,7 +7,8 @@
 namespace fissura::structure {
 namespace {
 
-constexpr double walk_step = 0.1;  // of the local size
+constexpr double walk_step = 0.1;       // of the local size
+constexpr double refined_below = 0.99;  // of fracture_size
 
 double length(Point a, Point b) {
   return std::hypot(b[0] - a[0], b[1] - a[1]);
@@ -17,33 +18,15 @@ Point between(Point a, Point b, double fraction) {
   return {a[0] + fraction * (b[0] - a[0]), a[1] + fraction * (b[1] - a[1])};
 }
 
-void divide_lines(PrescribedPoints& prescribed, const LineArrangement& lines, double size) {
-  prescribed.points = lines.vertices;
-  for (const LinePiece& piece : lines.pieces) {
-    const Point begin = lines.vertices[piece.begin], end = lines.vertices[piece.end];
-    const int count = edge_count(length(begin, end), size);
-    std::uint32_t last = piece.begin;
-    for (int i = 1; i <= count; ++i) {
-      std::uint32_t next = piece.end;
-      if (i < count) {
-        next = static_cast<std::uint32_t>(prescribed.points.size());
-        prescribed.points.push_back(between(begin, end, static_cast<double>(i) / count));
-      }
-      prescribed.edges.push_back({last, next});
-      prescribed.line_edges.push_back({last, next, piece.line});
-      last = next;
-    }
-  }
-}
-
-// Fractions at which a straight stretch is cut so that every part holds the same integral of 1/h.
-std::vector<double> graded_fractions(Point begin, Point end, const SizeField& field) {
+// Fractions at which a straight stretch is cut so that every part holds the same integral of 1/size.
+template <class Size>
+std::vector<double> graded_fractions(Point begin, Point end, const Size& size) {
   const double total = length(begin, end);
   std::vector<double> along{0}, integral{0};
   while (along.back() < total) {
-    const double step = walk_step * field.size(between(begin, end, along.back() / total));
+    const double step = walk_step * size(between(begin, end, along.back() / total));
     const double next = std::min(total, along.back() + step);
-    const double middle = field.size(between(begin, end, (along.back() + next) / 2 / total));
+    const double middle = size(between(begin, end, (along.back() + next) / 2 / total));
     integral.push_back(integral.back() + (next - along.back()) / middle);
     along.push_back(next);
   }
@@ -59,11 +42,48 @@ std::vector<double> graded_fractions(Point begin, Point end, const SizeField& fi
   return fractions;
 }
 
+bool is_refined(Point begin, Point end, const SizeField& field, double size) {
+  const int samples = static_cast<int>(std::ceil(length(begin, end) / (walk_step * size)));
+  for (int i = 0; i <= samples; ++i)
+    if (field.size_on_line(between(begin, end, static_cast<double>(i) / samples)) < refined_below * size)
+      return true;
+  return false;
+}
+
+std::vector<double> fractions_on_line(Point begin, Point end, const SizeField& field, double size) {
+  if (is_refined(begin, end, field, size))
+    return graded_fractions(begin, end, [&field](Point point) { return field.size_on_line(point); });
+  std::vector<double> fractions;
+  const int count = edge_count(length(begin, end), size);
+  for (int i = 1; i < count; ++i) fractions.push_back(static_cast<double>(i) / count);
+  return fractions;
+}
+
+void divide_lines(PrescribedPoints& prescribed, const LineArrangement& lines, const SizeField& field,
+                  double size) {
+  prescribed.points = lines.vertices;
+  for (const LinePiece& piece : lines.pieces) {
+    const Point begin = lines.vertices[piece.begin], end = lines.vertices[piece.end];
+    std::uint32_t last = piece.begin;
+    const auto add_edge_to = [&](std::uint32_t next) {
+      prescribed.edges.push_back({last, next});
+      prescribed.line_edges.push_back({last, next, piece.line});
+      last = next;
+    };
+    for (const double fraction : fractions_on_line(begin, end, field, size)) {
+      prescribed.points.push_back(between(begin, end, fraction));
+      add_edge_to(static_cast<std::uint32_t>(prescribed.points.size() - 1));
+    }
+    add_edge_to(piece.end);
+  }
+}
+
 void divide_stretch_of_side(PrescribedPoints& prescribed, std::uint32_t from, std::uint32_t to,
                             const SizeField& field) {
   const Point begin = prescribed.points[from], end = prescribed.points[to];
   std::uint32_t last = from;
-  for (const double fraction : graded_fractions(begin, end, field)) {
+  for (const double fraction :
+       graded_fractions(begin, end, [&field](Point point) { return field.size(point); })) {
     const auto next = static_cast<std::uint32_t>(prescribed.points.size());
     prescribed.points.push_back(between(begin, end, fraction));
     prescribed.edges.push_back({last, next});
@@ -117,9 +137,28 @@ std::vector<SizedSegment> stretches(const LineArrangement& lines, const MeshCont
   return result;
 }
 
+std::vector<Point> growing_tips(const LineArrangement& lines, const Case& given) {
+  if (given.growth.path != PathRule::free) return {};
+  std::vector<int> pieces(lines.vertices.size(), 0);
+  for (const LinePiece& piece : lines.pieces) {
+    ++pieces[piece.begin];
+    ++pieces[piece.end];
+  }
+  const auto inside = [&given](Point point) {
+    return std::abs(point[0]) < given.domain.width / 2 && std::abs(point[1]) < given.domain.height / 2;
+  };
+  std::vector<Point> tips;
+  for (const LinePiece& piece : lines.pieces)
+    for (const std::uint32_t end : {piece.begin, piece.end})
+      if (pieces[end] == 1 && given.fractures[piece.line].kind == FractureKind::open &&
+          inside(lines.vertices[end]))
+        tips.push_back(lines.vertices[end]);
+  return tips;
+}
+
 PrescribedPoints prescribe_points(const LineArrangement& lines, const SizeField& field, const Case& given) {
   PrescribedPoints prescribed;
-  divide_lines(prescribed, lines, given.mesh.fracture_size);
+  divide_lines(prescribed, lines, field, given.mesh.fracture_size);
   divide_sides(prescribed, lines, field, given.domain);
   return prescribed;
 }
