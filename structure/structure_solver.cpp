@@ -26,6 +26,7 @@ void StructureSolver::join(const Assignment& assignment) {
   geometry_ = build_geometry(*model_);
   state_.emplace(initial_state(*model_, geometry_));
   run_ = std::make_unique<StructureRun>(*model_, geometry_);
+  protect_tips();
   setup_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   log::info(fmt::format("{} elements, {} nodes", geometry_.mesh.elements.size(), geometry_.mesh.position.size()));
 }
@@ -152,6 +153,13 @@ std::optional<Insertion> StructureSolver::propose_growth() {
 void StructureSolver::rebuild_run() {
   earlier_loops_ = loop_times();
   run_ = std::make_unique<StructureRun>(*model_, geometry_);
+  protect_tips();
+}
+
+void StructureSolver::protect_tips() {
+  const Case& run_case = model_->run_case;
+  if (run_case.bulk_failure.active && run_case.growth.path == PathRule::free && run_case.growth.tip == TipRule::insertion)
+    forbid_onset(geometry_.tiles, tip_surroundings(*model_, geometry_), state_->body.damage);
 }
 
 LoopTimes StructureSolver::loop_times() const {

@@ -27,6 +27,7 @@ class StructureSolver : public Solver {
   void set_ramps_of(const Message& command);
   std::optional<Insertion> propose_growth();
   void rebuild_run();
+  void protect_tips();
   [[nodiscard]] LoopTimes loop_times() const;
 
   std::optional<StructureModel> model_;

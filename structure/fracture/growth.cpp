@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structure/fracture/growth.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "structure/dynamics/damage_transfer.hpp"
+#include "structure/dynamics/untouched_hash.hpp"
+#include "structure/fracture/connected_elements.hpp"
 #include "structure/fracture/state_transfer.hpp"
 
 namespace fissura::structure {
@@ -26,7 +30,52 @@ void extend_joints(const GrowthPlan& plan, const MeshInsertion& insertion, const
     }
 }
 
+std::vector<ElementIndex> removed_elements(const GrowthPlan& plan) {
+  std::vector<ElementIndex> removed;
+  for (const PatchPlan& patch : plan.patches) removed.insert(removed.end(), patch.removed.begin(), patch.removed.end());
+  std::sort(removed.begin(), removed.end());
+  return removed;
+}
+
+void sort_without_repeats(std::vector<std::uint32_t>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+Touched what_goes(const GrowthPlan& plan) {
+  Touched touched{removed_elements(plan), {}};
+  for (const PatchPlan& patch : plan.patches) {
+    for (const Rewiring& rewiring : patch.rewired) touched.elements.push_back(rewiring.element);
+    touched.nodes.insert(touched.nodes.end(), patch.unused.begin(), patch.unused.end());
+  }
+  sort_without_repeats(touched.elements);
+  sort_without_repeats(touched.nodes);
+  return touched;
+}
+
+Touched what_came(const MeshChange& change) {
+  Touched touched{change.made, change.new_nodes};
+  touched.elements.insert(touched.elements.end(), change.rewired.begin(), change.rewired.end());
+  std::sort(touched.elements.begin(), touched.elements.end());
+  return touched;
+}
+
+std::string hash_of_the_rest(const Geometry& geometry, const StructureState& state, const Touched& touched) {
+  return untouched_hash(geometry.mesh, geometry.body, state.body.displacement, state.body.velocity, touched);
+}
+
 }  // namespace
+
+std::vector<ElementIndex> tip_surroundings(const StructureModel& model, const Geometry& geometry) {
+  const double radius = model.run_case.bulk_failure.tip_exclusion * model.run_case.mesh.tip_size;
+  std::vector<ElementIndex> elements;
+  for (const FractureTip& tip : fracture_tips(geometry.mesh)) {
+    const auto near = connected_elements(geometry.mesh, geometry.node_elements, tip.node, tip.position, radius);
+    elements.insert(elements.end(), near.begin(), near.end());
+  }
+  sort_without_repeats(elements);
+  return elements;
+}
 
 std::vector<RemeshRecord> grow(const GrowthPlan& plan, const StructureModel& model, Geometry& geometry,
                                StructureState& state) {
@@ -35,10 +84,18 @@ std::vector<RemeshRecord> grow(const GrowthPlan& plan, const StructureModel& mod
   RemeshRecord common;
   common.stable_step_before = stable_step(model, geometry, state);
   const StateTransfer transfer(plan, model, geometry, state);
+  common.hash_before = hash_of_the_rest(geometry, state, what_goes(plan));
+  const DamageBefore damage = damage_before_change(geometry.mesh, geometry.tiles, state.body.damage, removed_elements(plan));
+
   const MeshInsertion insertion = insert_into_mesh(plan, geometry.mesh);
   follow(model, insertion.change, geometry);
   extend_joints(plan, insertion, geometry.mesh, model.run_case.rock, state.joints);
   const TransferBalance balance = transfer.carry_over(insertion, model, geometry, state);
+  if (model.run_case.bulk_failure.active) {
+    const RockFailure law = rock_failure(model.run_case.rock, model.run_case.bulk_failure);
+    state.body.damage = damage_from_records(geometry.tiles, carry_damage(damage, insertion.change, geometry.mesh, law));
+  }
+  common.hash_after = hash_of_the_rest(geometry, state, what_came(insertion.change));
 
   common.untouched = insertion.change.elements_before - insertion.change.removed.size() - insertion.change.rewired.size();
   common.stable_step_after = stable_step(model, geometry, state);
@@ -48,7 +105,8 @@ std::vector<RemeshRecord> grow(const GrowthPlan& plan, const StructureModel& mod
   common.kinetic_energy_after = thickness * balance.kinetic_energy;
   common.mass_error = balance.mass_error;
   common.momentum_error = balance.momentum_error;
-  common.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count() / static_cast<double>(plan.patches.size());
+  common.wall_seconds = (plan.wall_seconds + std::chrono::duration<double>(Clock::now() - start).count()) /
+                        static_cast<double>(plan.patches.size());
 
   std::vector<RemeshRecord> records;
   for (const PatchPlan& patch : plan.patches) {

@@ -22,12 +22,16 @@ struct RemeshRecord {
   double strain_energy_before = 0, strain_energy_after = 0;    ///< of the patches, whole thickness [J]
   double kinetic_energy_before = 0, kinetic_energy_after = 0;  ///< of their nodes [J]
   double mass_error = 0, momentum_error = 0;                   ///< [-], see TransferBalance
-  double wall_seconds = 0;                                     ///< planning left out
+  double wall_seconds = 0;                                     ///< of planning and carrying out, shared out among the segments
 };
 
 /// Carries out a plan: mesh, everything derived from it, joints and state. The network is left to the caller.
 std::vector<RemeshRecord> grow(const GrowthPlan& plan, const StructureModel& model, Geometry& geometry,
                                StructureState& state);
+
+/// Elements in which no bulk damage may start because they lie near a tip that grows by inserted segments (BulkFailure::tip_exclusion),
+/// ascending.
+std::vector<ElementIndex> tip_surroundings(const StructureModel& model, const Geometry& geometry);
 
 /// For the ACKNOWLEDGE of an INSERT (docs/protocol.md).
 nlohmann::json remeshing_json(const std::vector<RemeshRecord>& records);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <unordered_set>
 
 #include "common/log.hpp"
@@ -145,7 +146,10 @@ class GrowthPlanner {
 
 std::optional<GrowthPlan> plan_growth(const StructureModel& model, const Geometry& geometry, const StructureState& state,
                                       double time) {
-  return GrowthPlanner(model, geometry, state).plan(time);
+  const auto start = std::chrono::steady_clock::now();
+  std::optional<GrowthPlan> plan = GrowthPlanner(model, geometry, state).plan(time);
+  if (plan) plan->wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return plan;
 }
 
 }  // namespace fissura::structure

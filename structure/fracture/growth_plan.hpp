@@ -15,6 +15,7 @@ struct GrowthPlan {
   std::vector<PatchPlan> patches;
   std::vector<FractureLine> new_lines;  ///< of fractures that grow for the first time
   Insertion insertion;                  ///< how the fluid's network changes
+  double wall_seconds = 0;              ///< of planning
 };
 
 /// Early insertion of wet cohesive segments, for every tip at which

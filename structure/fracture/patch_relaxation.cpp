@@ -77,10 +77,16 @@ class PatchRelaxation {
 
  private:
   [[nodiscard]] const Point& at(std::uint32_t point) const { return problem_.points[point]; }
-  [[nodiscard]] double size(const Point& point) const { return problem_.field->size(point); }
+  [[nodiscard]] double size(const PointTriple& t) const { return (size_[t[0]] + size_[t[1]] + size_[t[2]]) / 3; }
 
   void connect() {
     triangles_ = inside(triangulate(problem_.points, problem_.edges), problem_.sides);
+    for (std::size_t p = 0; p < problem_.points.size(); ++p)
+      if (p >= size_.size())
+        size_.push_back(problem_.field->size(problem_.points[p]));
+      else if (p >= problem_.fixed && moved_[p])
+        size_[p] = problem_.field->size(problem_.points[p]);
+    moved_.assign(problem_.points.size(), 0);
     incident_.assign(problem_.points.size(), {});
     for (std::uint32_t t = 0; t < triangles_.size(); ++t)
       for (const std::uint32_t p : triangles_[t]) incident_[p].push_back(t);
@@ -98,18 +104,21 @@ class PatchRelaxation {
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t a = std::min(t[k], t[(k + 1) % 3]), b = std::max(t[k], t[(k + 1) % 3]);
         if (b < problem_.fixed || goes[a] || goes[b]) continue;
-        if (std::hypot(at(a)[0] - at(b)[0], at(a)[1] - at(b)[1]) < crowded * size(at(b))) goes[b] = 1;
+        if (std::hypot(at(a)[0] - at(b)[0], at(a)[1] - at(b)[1]) < crowded * size_[b]) goes[b] = 1;
       }
     std::size_t kept = problem_.fixed;
     for (std::size_t p = problem_.fixed; p < problem_.points.size(); ++p) {
       if (goes[p]) continue;
       problem_.points[kept] = problem_.points[p];
       problem_.origin[kept - problem_.fixed] = problem_.origin[p - problem_.fixed];
+      size_[kept] = size_[p];
       ++kept;
     }
     if (kept == problem_.points.size()) return false;
     problem_.points.resize(kept);
     problem_.origin.resize(kept - problem_.fixed);
+    size_.resize(kept);
+    moved_.assign(kept, 0);
     connect();
     return true;
   }
@@ -124,8 +133,7 @@ class PatchRelaxation {
       const auto& [a, b, c] = triangles_[t];
       const Point centre = circumcentre(at(a), at(b), at(c));
       const double radius = std::hypot(centre[0] - at(a)[0], centre[1] - at(a)[1]);
-      const Point middle{(at(a)[0] + at(b)[0] + at(c)[0]) / 3, (at(a)[1] + at(b)[1] + at(c)[1]) / 3};
-      if (const double ratio = radius / size(middle); ratio > widest) wide.push_back({ratio, t});
+      if (const double ratio = radius / size(triangles_[t]); ratio > widest) wide.push_back({ratio, t});
     }
     std::sort(wide.begin(), wide.end(), [](const Wide& p, const Wide& q) {
       return p.ratio != q.ratio ? p.ratio > q.ratio : p.triangle < q.triangle;
@@ -147,7 +155,7 @@ class PatchRelaxation {
   }
 
   [[nodiscard]] bool may_add(const Point& point) const {
-    const double h = size(point);
+    const double h = problem_.field->size(point);
     for (const Point& other : problem_.points)
       if (std::hypot(point[0] - other[0], point[1] - other[1]) < nearest_point * h) return false;
     for (const PointPair& edge : problem_.edges)
@@ -162,20 +170,20 @@ class PatchRelaxation {
       for (const std::uint32_t t : incident_[p]) {
         const auto& [a, b, c] = triangles_[t];
         const Point middle{(at(a)[0] + at(b)[0] + at(c)[0]) / 3, (at(a)[1] + at(b)[1] + at(c)[1]) / 3};
-        const double h = size(middle), weight = twice_area(at(a), at(b), at(c)) / (h * h * h * h);
+        const double h = size(triangles_[t]), weight = twice_area(at(a), at(b), at(c)) / (h * h * h * h);
         x += weight * middle[0];
         y += weight * middle[1];
         weights += weight;
       }
       if (weights == 0) continue;
       const Point target{x / weights, y / weights};
-      if (stays_valid(p, target)) moved[p] = target;
+      if (quality(p, target) <= 0) continue;
+      moved[p] = target;
+      moved_[p] = 1;
     }
     problem_.points = std::move(moved);
     connect();
   }
-
-  [[nodiscard]] bool stays_valid(std::uint32_t point, const Point& target) const { return quality(point, target) > 0; }
 
   /// Least quality of the triangles around a free point if it stood at `place`.
   [[nodiscard]] double quality(std::uint32_t point, const Point& place) const {
@@ -183,15 +191,14 @@ class PatchRelaxation {
     for (const std::uint32_t t : incident_[point]) {
       std::array<Point, 3> corner;
       for (int k = 0; k < 3; ++k) corner[k] = triangles_[t][k] == point ? place : at(triangles_[t][k]);
-      least = std::min(least, quality(corner));
+      least = std::min(least, quality(corner, size(triangles_[t])));
     }
     return least;
   }
 
-  [[nodiscard]] double quality(const std::array<Point, 3>& corner) const {
+  static double quality(const std::array<Point, 3>& corner, double size) {
     const TriangleShape s = shape(corner[0], corner[1], corner[2]);
-    const Point middle{(corner[0][0] + corner[1][0] + corner[2][0]) / 3, (corner[0][1] + corner[1][1] + corner[2][1]) / 3};
-    return std::min(s.sine_of_smallest_angle, altitude_weight * s.smallest_altitude / size(middle));
+    return std::min(s.sine_of_smallest_angle, altitude_weight * s.smallest_altitude / size);
   }
 
   bool improve() {
@@ -199,7 +206,7 @@ class PatchRelaxation {
     for (std::uint32_t p = static_cast<std::uint32_t>(problem_.fixed); p < problem_.points.size(); ++p) {
       double best = quality(p, at(p));
       if (best >= good_quality) continue;
-      double step = first_search_step * size(at(p));
+      double step = first_search_step * size_[p];
       for (int halving = 0; halving < search_halvings; ++halving, step /= 2)
         for (int k = 0; k < search_directions; ++k) {
           const double angle = 2 * std::numbers::pi * k / search_directions;
@@ -208,6 +215,7 @@ class PatchRelaxation {
           if (found <= best) continue;
           best = found;
           problem_.points[p] = place;
+          moved_[p] = 1;
           improved = true;
         }
     }
@@ -216,6 +224,8 @@ class PatchRelaxation {
 
   PatchProblem& problem_;
   std::vector<PointTriple> triangles_;
+  std::vector<double> size_;  // target edge length at each point
+  std::vector<char> moved_;   // since then
   std::vector<std::vector<std::uint32_t>> incident_;
 };
 

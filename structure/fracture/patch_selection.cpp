@@ -13,9 +13,9 @@ namespace fissura::structure {
 namespace {
 
 // Size of an element over target size.
-constexpr double too_coarse = 1.7;
+constexpr double too_coarse = 2;
 constexpr double coarse = 1.35;
-constexpr double segments_ahead = 2.5;  // that a refinement looks ahead, in units of tip_size
+constexpr double segments_ahead = 4;    // that a refinement looks ahead, in units of tip_size
 
 class Selection {
  public:
