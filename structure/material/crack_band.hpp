@@ -5,10 +5,12 @@
 
 namespace fissura::structure {
 
-/// Width of the band a crack with the given normal occupies in a constant-strain triangle [m] (Oliver 1989):
-///   l = 1 / sum of grad N_i . n  over the nodes on the positive side of the line through the centroid,
-/// and at most the longest edge, which only slivers reach.
-/// `corner` are the three corners [m], counter-clockwise; `normal` is a unit vector of either sign.
+/// Width of the band a crack with the given normal occupies in a constant-strain triangle [m]: the extent of
+/// the triangle along the normal (Cervenka, Bazant & Wierer 1995). A straight crack line that lies anywhere
+/// with equal chance cuts triangles whose areas, each divided by this width, add up to the length of the line
+/// on average, so that the fracture energy is spent once whatever the inclination of the mesh. Where an edge
+/// is parallel to the crack or to its normal it is the length of Oliver (1989), which between them is up to a
+/// twelfth shorter. `corner` are the three corners [m]; `normal` is a unit vector of either sign.
 double crack_band_length(const std::array<std::array<double, 2>, 3>& corner,
                          const std::array<double, 2>& normal);
 
