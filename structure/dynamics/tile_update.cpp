@@ -23,8 +23,8 @@ class TileUpdate {
 
   void run() {
     rename_moved();
-    drop_removed();
     place_made();
+    drop_freed_places();
     mark_tiles_of_nodes();
     cut_large_tiles();
     remove_empty_tiles();
@@ -36,8 +36,8 @@ class TileUpdate {
   }
 
  private:
-  // Places stay where they are until all are known: `from` of a moved element may lie in a tile of removed
-  // ones, and `to` is the index of a removed one. A made element that was moved is placed as a made one.
+  // Places stay where they are until all are known: `to` of a moved element is the index of a removed one. A
+  // made element that was moved is placed as a made one.
   void rename_moved() {
     std::vector<ElementIndex*> place;
     for (const MovedElement& element : change_.moved) {
@@ -46,8 +46,14 @@ class TileUpdate {
       moved_tile_.push_back(tiles_.tile_of_element[element.from]);
       place.push_back(&place_of(element.from));
     }
-    list_freed_places();
+    for (const ElementIndex element : change_.removed) {
+      stale_[tiles_.tile_of_element[element]] = 1;
+      place_of(element) = freed;
+    }
     for (std::size_t i = 0; i < place.size(); ++i) *place[i] = moved_[i].to;
+    tiles_.tile_of_element.resize(mesh_.elements.size());
+    for (const ElementIndex element : change_.made) tiles_.tile_of_element[element] = no_tile;
+    for (std::size_t i = 0; i < moved_.size(); ++i) tiles_.tile_of_element[moved_[i].to] = moved_tile_[i];
   }
 
   ElementIndex& place_of(ElementIndex element) {
@@ -57,36 +63,51 @@ class TileUpdate {
     return *place;
   }
 
-  // A removed element whose index a made one has keeps its place.
-  void list_freed_places() {
-    for (const ElementIndex element : change_.removed) {
-      const std::uint32_t t = tiles_.tile_of_element[element];
-      stale_[t] = 1;
-      if (std::binary_search(change_.made.begin(), change_.made.end(), element)) continue;
-      place_of(element) = freed;
+  // Elements that hang together go to one tile, so that few nodes are shared: the one with the most elements
+  // around them.
+  void place_made() {
+    for (const ElementIndex first : change_.made) {
+      if (tiles_.tile_of_element[first] != no_tile) continue;
+      const std::vector<ElementIndex> patch = connected(first);
+      const std::uint32_t home = home_of(patch);
+      auto& elements = tiles_.tile[home].elements;
+      auto place = elements.begin();
+      auto next = patch.begin();
+      for (; next != patch.end() && place != elements.end(); ++place)
+        if (*place == freed) *place = *next++;
+      elements.insert(elements.end(), next, patch.end());
+      for (const ElementIndex element : patch) tiles_.tile_of_element[element] = home;
+      stale_[home] = 1;
     }
   }
 
-  void drop_removed() {
+  // Made elements without a tile that can be reached from `first` through shared nodes, ascending.
+  [[nodiscard]] std::vector<ElementIndex> connected(ElementIndex first) {
+    std::vector<ElementIndex> found{first};
+    tiles_.tile_of_element[first] = reached;
+    for (std::size_t k = 0; k < found.size(); ++k)
+      for (const NodeIndex node : mesh_.elements[found[k]])
+        for (const ElementIndex element : elements_.of(node)) {
+          if (tiles_.tile_of_element[element] != no_tile) continue;
+          tiles_.tile_of_element[element] = reached;
+          found.push_back(element);
+        }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  [[nodiscard]] std::uint32_t home_of(const std::vector<ElementIndex>& patch) const {
+    std::vector<std::size_t> votes(tiles_.tile.size(), 0);
+    for (const ElementIndex made : patch)
+      for (const NodeIndex node : mesh_.elements[made])
+        for (const ElementIndex element : elements_.of(node))
+          if (tiles_.tile_of_element[element] < votes.size()) ++votes[tiles_.tile_of_element[element]];
+    return static_cast<std::uint32_t>(std::max_element(votes.begin(), votes.end()) - votes.begin());
+  }
+
+  void drop_freed_places() {
     for (std::size_t t = 0; t < stale_.size(); ++t)
       if (stale_[t]) std::erase(tiles_.tile[t].elements, freed);
-    tiles_.tile_of_element.resize(mesh_.elements.size());
-    for (std::size_t i = 0; i < moved_tile_.size(); ++i)
-      tiles_.tile_of_element[moved_[i].to] = moved_tile_[i];
-  }
-
-  void place_made() {
-    const auto size = [this](std::size_t t) { return tiles_.tile[t].elements.size(); };
-    for (const ElementIndex element : change_.made) {
-      if (std::binary_search(change_.removed.begin(), change_.removed.end(), element)) continue;
-      std::size_t smallest = stale_.size();
-      for (std::size_t t = 0; t < stale_.size(); ++t)
-        if (stale_[t] && (smallest == stale_.size() || size(t) < size(smallest))) smallest = t;
-      if (smallest == stale_.size()) smallest = 0;
-      tiles_.tile[smallest].elements.push_back(element);
-      tiles_.tile_of_element[element] = static_cast<std::uint32_t>(smallest);
-      stale_[smallest] = 1;
-    }
   }
 
   void mark_tiles_of_nodes() {
@@ -97,12 +118,12 @@ class TileUpdate {
   }
 
   void cut_large_tiles() {
-    for (std::size_t t = 0; t < tiles_.tile.size(); ++t) {
-      if (tiles_.tile[t].elements.size() <= 2 * elements_per_tile) continue;
-      for (const ElementIndex element : tiles_.tile[t].elements)
-        nodes_.insert(nodes_.end(), mesh_.elements[element].begin(), mesh_.elements[element].end());
-      cut(t);
-    }
+    for (std::size_t t = 0; t < tiles_.tile.size(); ++t)
+      while (tiles_.tile[t].elements.size() > 2 * elements_per_tile) {
+        for (const ElementIndex element : tiles_.tile[t].elements)
+          nodes_.insert(nodes_.end(), mesh_.elements[element].begin(), mesh_.elements[element].end());
+        cut(t);
+      }
   }
 
   // Across its longer extent, with the elements of each half in their order.
@@ -157,6 +178,7 @@ class TileUpdate {
   }
 
   static constexpr ElementIndex freed = 0xffffffffu;
+  static constexpr std::uint32_t no_tile = 0xffffffffu, reached = 0xfffffffeu;
 
   const Mesh& mesh_;
   const NodeElements& elements_;

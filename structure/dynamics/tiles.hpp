@@ -80,9 +80,9 @@ Tiles build_tiles(const Mesh& mesh, const Body& body, const std::vector<NodeInde
 Tiles build_tiles_of(std::vector<std::vector<ElementIndex>> elements, const Mesh& mesh, const Body& body,
                      const std::vector<NodeIndex>& joint_nodes);
 
-/// After the mesh changed: an element made stands where a removed one of its index stood; further ones join
-/// the touched tile with the fewest elements; a tile of more than twice `elements_per_tile` is cut in two.
-/// Tiles without a change keep their elements and nodes. The others have followed the change before.
+/// After the mesh changed: elements made in one patch join the tile with the most elements around them, in
+/// the places of removed ones as far as there are; a tile of more than twice `elements_per_tile` is cut in
+/// two. Tiles without a change keep their elements and nodes. The others have followed the change before.
 void update_tiles(const Mesh& mesh, const NodeElements& elements, const Body& body,
                   const std::vector<NodeIndex>& joint_nodes, const MeshChange& change, Tiles& tiles);
 

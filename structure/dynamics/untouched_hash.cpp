@@ -6,8 +6,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
-#include <iterator>
 
 namespace fissura::structure {
 
@@ -35,6 +33,18 @@ std::uint64_t mix(const std::array<std::uint64_t, words>& word, std::uint64_t st
   return fold(state ^ first_key[lane], start ^ second_key[lane]);
 }
 
+std::uint32_t bits(float value) {
+  return std::bit_cast<std::uint32_t>(value);
+}
+
+std::uint64_t bits(double value) {
+  return std::bit_cast<std::uint64_t>(value);
+}
+
+std::uint64_t pair(std::uint32_t low, std::uint32_t high) {
+  return std::uint64_t{high} << 32 | low;
+}
+
 struct Sum {
   std::array<std::uint64_t, 2> lane{};
 
@@ -51,18 +61,16 @@ void add_elements(const Mesh& mesh, const Body& body, const std::vector<ElementI
       ++skip;
       continue;
     }
-    std::array<std::uint64_t, 4> word;
-    static_assert(sizeof(word) == sizeof(mesh.elements[0]) + sizeof(body.in_situ[0]));
-    auto* bytes = reinterpret_cast<std::byte*>(word.data());
-    std::memcpy(bytes, &mesh.elements[element], sizeof(mesh.elements[0]));
-    std::memcpy(bytes + sizeof(mesh.elements[0]), &body.in_situ[element], sizeof(body.in_situ[0]));
+    const auto& [a, b, c] = mesh.elements[element];
+    const InSituElement& at = body.in_situ[element];
+    const std::array<std::uint64_t, 4> word{pair(a, b), pair(c, bits(at.xx)), pair(bits(at.yy), bits(at.xy)),
+                                            pair(bits(at.zz), bits(at.pore_pressure))};
     sum.add(word, element_start);
   }
 }
 
 void add_nodes(const Mesh& mesh, const std::vector<double>& displacement, const std::vector<double>& velocity,
                const std::vector<NodeIndex>& touched, Sum& sum) {
-  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
   auto skip = touched.begin(), unused = mesh.unused_nodes.begin();
   for (NodeIndex node = 0; node < mesh.position.size(); ++node) {
     const bool is_touched = skip != touched.end() && *skip == node;
