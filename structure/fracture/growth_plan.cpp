@@ -98,8 +98,11 @@ class GrowthPlanner {
       const auto mesh = mesh_patch(edge, line, choice.field, least_altitude * h);
       if (!mesh) continue;
       take(choice.elements);
-      return plan_patch({geometry_.mesh, geometry_.node_elements, fractures.vertices.size(), line_of(tip, plan)}, tip,
-                        *segment.end, choice.elements, edge, *mesh);
+      const LineVertex end{segment.end->position, segment.end->kind == SegmentEnd::Kind::fracture
+                                                      ? std::optional(segment.end->vertex)
+                                                      : std::nullopt};
+      return plan_patch({geometry_.mesh, geometry_.node_elements, fractures.vertices.size(), line_of(tip, plan)},
+                        {{tip.position, tip.vertex}, end}, choice.elements, edge, *mesh);
     }
     log::warn(fmt::format("no good mesh for a fracture segment from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m: it waits",
                              line[0][0], line[0][1], line[1][0], line[1][1]));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/fracture_network/fracture_network.hpp"
+#include "structure/fracture/next_segment.hpp"
 #include "structure/fracture/patch_plan.hpp"
 #include "structure/structure_state.hpp"
 

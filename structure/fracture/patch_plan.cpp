@@ -31,11 +31,11 @@ double edge_length(const Point& a, const Point& b) { return std::hypot(b[0] - a[
 
 class Planner {
  public:
-  Planner(const PlanInput& input, const FractureTip& tip, const SegmentEnd& end, const std::vector<ElementIndex>& elements,
+  Planner(const PlanInput& input, const std::vector<LineVertex>& line, const std::vector<ElementIndex>& elements,
           const PatchOutline& outline, const PatchMesh& patch)
-      : input_(input), tip_(tip), end_(end), elements_(elements), outline_(outline), patch_(patch) {
+      : input_(input), line_(line), elements_(elements), outline_(outline), patch_(patch) {
     plan_.removed = elements;
-    plan_.tip = end.position;
+    plan_.tip = line.back().position;
     plan_.smallest_angle = patch.smallest_angle;
     plan_.smallest_altitude = patch.smallest_altitude;
   }
@@ -60,23 +60,26 @@ class Planner {
   }
 
   void add_line() {
-    const VertexIndex begin = tip_.vertex;
-    VertexIndex end = end_.vertex;
-    if (end_.kind != SegmentEnd::Kind::fracture) {
-      end = static_cast<VertexIndex>(input_.vertices);
-      plan_.new_vertices.push_back({end_.position, {}, 0});
+    for (const LineVertex& point : line_) {
+      VertexIndex vertex = static_cast<VertexIndex>(input_.vertices + plan_.new_vertices.size());
+      if (point.vertex)
+        vertex = *point.vertex;
+      else
+        plan_.new_vertices.push_back({point.position, {}, 0});
+      line_points_.push_back({point_at(point.position), vertex});
     }
-    const FractureEdge edge{begin, end, input_.line, edge_length(tip_.position, end_.position)};
-    plan_.new_edges.push_back(edge);
+    for (std::size_t k = 0; k + 1 < line_.size(); ++k)
+      plan_.new_edges.push_back({line_points_[k].vertex, line_points_[k + 1].vertex, input_.line,
+                                 edge_length(line_[k].position, line_[k + 1].position)});
     edges_ = input_.mesh.edges;
-    edges_.push_back(edge);
-    const auto place = [&](const Point& at, VertexIndex vertex) {
-      for (std::uint32_t p = 0; p < patch_.fixed; ++p)
-        if (patch_.points[p] == at) line_points_.push_back({p, vertex});
-    };
-    place(tip_.position, begin);
-    place(end_.position, end);
-    ENSURE(line_points_.size() == 2);
+    edges_.insert(edges_.end(), plan_.new_edges.begin(), plan_.new_edges.end());
+  }
+
+  [[nodiscard]] std::uint32_t point_at(const Point& at) const {
+    for (std::uint32_t p = 0; p < patch_.fixed; ++p)
+      if (patch_.points[p] == at) return p;
+    ENSURE(!"a point of the line is a fixed point of the patch");
+    return 0;
   }
 
   void give_nodes_to_ordinary_points() {
@@ -206,12 +209,11 @@ class Planner {
 
   [[nodiscard]] Point position(VertexIndex vertex) const {
     if (vertex < input_.mesh.vertices.size()) return input_.mesh.vertices[vertex].position;
-    return end_.position;
+    return plan_.new_vertices[vertex - input_.vertices].position;
   }
 
   const PlanInput& input_;
-  const FractureTip& tip_;
-  const SegmentEnd& end_;
+  const std::vector<LineVertex>& line_;
   const std::vector<ElementIndex>& elements_;
   const PatchOutline& outline_;
   const PatchMesh& patch_;
@@ -223,9 +225,9 @@ class Planner {
 
 }  // namespace
 
-PatchPlan plan_patch(const PlanInput& input, const FractureTip& tip, const SegmentEnd& end,
-                     const std::vector<ElementIndex>& elements, const PatchOutline& outline, const PatchMesh& patch) {
-  return Planner(input, tip, end, elements, outline, patch).plan();
+PatchPlan plan_patch(const PlanInput& input, const std::vector<LineVertex>& line, const std::vector<ElementIndex>& elements,
+                     const PatchOutline& outline, const PatchMesh& patch) {
+  return Planner(input, line, elements, outline, patch).plan();
 }
 
 }  // namespace fissura::structure

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "structure/fracture/next_segment.hpp"
 #include "structure/fracture/patch_mesh.hpp"
 #include "structure/mesh/node_elements.hpp"
 
@@ -45,7 +44,13 @@ struct PlannedUnit {
   std::optional<UnitIndex> source;  ///< the existing unit it was a part of
 };
 
-/// One segment to be inserted at one tip: what replaces a patch of the mesh.
+/// A point of the line that is inserted.
+struct LineVertex {
+  Point position{};                    ///< [m]
+  std::optional<VertexIndex> vertex;   ///< the fracture vertex there; a new one otherwise
+};
+
+/// A line to be inserted, at a tip or anywhere in the rock: what replaces a patch of the mesh.
 struct PatchPlan {
   std::vector<ElementIndex> removed;                       ///< ascending
   std::vector<std::array<PlannedNodeIndex, 3>> made;
@@ -56,7 +61,7 @@ struct PatchPlan {
   std::vector<FractureEdge> new_edges;
   std::vector<PlannedUnit> units;                          ///< all of the vertices below
   std::vector<VertexIndex> split;                          ///< vertices with units now, in order of first touch
-  Point tip{};                                             ///< end of the segment [m]
+  Point tip{};                                             ///< end of the line [m]
   double smallest_angle = 0;                               ///< of the elements made [rad]
   double smallest_altitude = 0;                            ///< [m]
 };
@@ -66,13 +71,13 @@ struct PlanInput {
   const Mesh& mesh;
   const NodeElements& node_elements;
   std::size_t vertices = 0;  ///< fracture vertices, those planned for other tips included: the first new one has this index
-  std::uint32_t line = 0;    ///< of the new edge, index into Mesh::lines
+  std::uint32_t line = 0;    ///< of the new edges, index into Mesh::lines
 };
 
-/// Plans the segment from `tip` to `end` in the patch `elements` with `patch` as its mesh: gives every corner of the new triangles and of
-/// the elements around them a node. The corners around a vertex fall into wedges between the fracture edges there; each wedge has a node
-/// of its own, an existing one where it can.
-PatchPlan plan_patch(const PlanInput& input, const FractureTip& tip, const SegmentEnd& end,
-                     const std::vector<ElementIndex>& elements, const PatchOutline& outline, const PatchMesh& patch);
+/// Plans the edges along `line` (at least two points, in order) in the patch `elements` with `patch` as its mesh: gives every corner of the
+/// new triangles and of the elements around them a node. The corners around a vertex fall into wedges between the fracture edges there;
+/// each wedge has a node of its own, an existing one where it can.
+PatchPlan plan_patch(const PlanInput& input, const std::vector<LineVertex>& line, const std::vector<ElementIndex>& elements,
+                     const PatchOutline& outline, const PatchMesh& patch);
 
 }  // namespace fissura::structure
