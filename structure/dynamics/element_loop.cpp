@@ -68,7 +68,7 @@ struct TensionSurface {
 
 struct TensionAndShearSurface {
   RankineSurface rankine;
-  MohrCoulombSurface mohr_coulomb;
+  MohrCoulombLimit mohr_coulomb;
   double lame;
   const float* in_situ_out_of_plane;
 
@@ -281,7 +281,8 @@ void add_failing_forces(const Tile& tile, const Elasticity& moduli, const RockFa
   const std::uint8_t* failed = damage.failed.data();
   const RankineSurface rankine{lowest_strength};
   if (law.shear) {
-    const TensionAndShearSurface surface{rankine, law.shear->surface, moduli.lame, tile.out_of_plane.data()};
+    const TensionAndShearSurface surface{rankine, MohrCoulombLimit(law.shear->surface), moduli.lame,
+                                         tile.out_of_plane.data()};
     first_pass(tile, moduli, ListFailing<TensionAndShearSurface>{surface, failed, &workspace.listed}, ahead,
                workspace);
   } else {

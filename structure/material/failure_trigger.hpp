@@ -26,18 +26,33 @@ struct MohrCoulombSurface {
   double cohesion = 0;         ///< [Pa]
   double sine_friction = 0;    ///< sin(phi), 0 <= sin(phi) < 1
   double cosine_friction = 1;  ///< cos(phi)
+};
+
+/// The same as a limit, with what does not depend on the stress worked out beforehand.
+class MohrCoulombLimit {
+ public:
+  explicit constexpr MohrCoulombLimit(const MohrCoulombSurface& surface)
+      : sine_friction_(surface.sine_friction),
+        shear_strength_(surface.cohesion * surface.cosine_friction),
+        passive_((1 + surface.sine_friction) / (1 - surface.sine_friction)),
+        active_(1 / passive_),
+        compressive_strength_(2 * shear_strength_ / (1 - surface.sine_friction)),
+        tensile_strength_(active_ * compressive_strength_) {}
 
   /// Greatest radius allowed; negative if none is [Pa].
   template <class Real>
   constexpr Real radius_limit(const Real& centre, const Real& out_of_plane) const {
-    const double shear_strength = cohesion * cosine_friction;
-    const Real in_plane = shear_strength - centre * sine_friction;
-    const Real tilt = sine_friction * (centre + out_of_plane);
-    const Real minor_out = (2 * shear_strength - (centre - out_of_plane) - tilt) / (1 + sine_friction);
-    const Real major_out = (2 * shear_strength - (out_of_plane - centre) - tilt) / (1 - sine_friction);
+    const Real in_plane = shear_strength_ - sine_friction_ * centre;
+    const Real minor_out = (tensile_strength_ - centre) + active_ * out_of_plane;
+    const Real major_out = (compressive_strength_ + centre) - passive_ * out_of_plane;
     const Real least_out = minor_out < major_out ? minor_out : major_out;
     return in_plane < least_out ? in_plane : least_out;
   }
+
+ private:
+  double sine_friction_, shear_strength_;           // [-], [Pa]
+  double passive_, active_;                         // ratios of the principal stresses at failure [-]
+  double compressive_strength_, tensile_strength_;  // unconfined [Pa]
 };
 
 /// True where a circle of this squared radius [Pa2] is larger than the limit [Pa]. A vector gives a vector of

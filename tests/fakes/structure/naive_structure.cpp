@@ -89,7 +89,8 @@ void NaiveStructure::add_force(Element& element) {
     const RankineSurface surface{lowest_strength_};
     double limit = surface.radius_limit(mohr_centre(stress));
     if (law_->shear)
-      limit = std::min(limit, law_->shear->surface.radius_limit(mohr_centre(stress), out_of_plane));
+      limit = std::min(
+          limit, MohrCoulombLimit(law_->shear->surface).radius_limit(mohr_centre(stress), out_of_plane));
     if (!element.cracked && exceeds(mohr_radius_squared(stress), limit))
       if (const auto onset = failure_onset(*law_, {stress, out_of_plane}, {p, q, r})) {
         element.cracked = true;

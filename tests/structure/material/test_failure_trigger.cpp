@@ -12,7 +12,7 @@ using namespace fissura::structure;
 namespace {
 
 constexpr double cohesion = 10e6, friction_angle = 0.5235987755982988;
-const MohrCoulombSurface mohr_coulomb{cohesion, std::sin(friction_angle), std::cos(friction_angle)};
+const MohrCoulombLimit mohr_coulomb({cohesion, std::sin(friction_angle), std::cos(friction_angle)});
 
 double mohr_coulomb_value(const InPlane<double>& stress, double out_of_plane) {
   const auto in_plane = principal(stress);
