@@ -185,10 +185,10 @@ class Planner {
     for (PlannedUnit& unit : units)
       for (const UnitIndex old : input_.mesh.vertices[vertex].units) {
         const ContactUnit& was = input_.mesh.units[old];
-        const auto pair = std::minmax(source(unit.minus), source(unit.plus));
-        if (pair != std::minmax(was.minus, was.plus)) continue;
+        const NodeIndex minus = source(unit.minus), plus = source(unit.plus);
+        if (std::minmax(minus, plus) != std::minmax(was.minus, was.plus)) continue;
         unit.source = old;
-        if (source(unit.minus) != was.minus) reverse(unit);
+        if (minus != was.minus) reverse(unit);
         if (const auto free = std::find(left.begin(), left.end(), old); free != left.end()) {
           unit.same = old;
           left.erase(free);
