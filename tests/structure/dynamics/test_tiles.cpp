@@ -79,7 +79,11 @@ TEST_CASE("tiles: rebuilding what an insertion touched equals building everythin
 
   const auto body = build_body(after, settings);
   const auto joints = joint_nodes(after);
-  MeshChange change{before.elements.size(), before.position.size(), {}, {}, {torn}, {}, {new_node}};
+  MeshChange change;
+  change.elements_before = before.elements.size();
+  change.nodes_before = before.position.size();
+  change.rewired = {torn};
+  change.new_nodes = {new_node};
   change.touched_nodes.assign(after.elements[torn].begin(), after.elements[torn].end());
   change.touched_nodes.push_back(old_node);
   std::sort(change.touched_nodes.begin(), change.touched_nodes.end());

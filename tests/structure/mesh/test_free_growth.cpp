@@ -22,11 +22,7 @@ constexpr double least_angle = 20;       // [degrees], of any case here
 constexpr double least_altitude = 0.45;  // of the smallest target size
 
 MeshControls controls(double fracture_size, double far_size, double corridor, double gradation) {
-  MeshControls mesh{fracture_size, far_size, corridor, gradation, 1};
-  mesh.tip_size = fracture_size;
-  mesh.tip_radius = 4 * fracture_size;
-  mesh.tip_gradation = 0.4;
-  return mesh;
+  return {fracture_size, far_size, corridor, gradation, 1, fracture_size, 4 * fracture_size, 0.4, {}, {}};
 }
 
 /// A slit of 2 m along x whose ends may grow in any direction.

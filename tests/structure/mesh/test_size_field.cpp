@@ -11,7 +11,7 @@ using namespace fissura::structure;
 
 namespace {
 
-const MeshControls controls{0.5, 8, 2, 0.25, 1};
+const MeshControls controls{0.5, 8, 2, 0.25, 1, 0.5, 2, 0.4, {}, {}};
 
 std::vector<SizedSegment> random_segments(std::size_t count) {
   std::mt19937_64 random(3);

@@ -19,7 +19,7 @@ namespace {
 Case slit_case() {
   Case settings = stressed_shale_case();
   settings.domain = {40, 40, 1};
-  settings.mesh = {0.5, 2, 2, 0.3, 1};
+  settings.mesh = {0.5, 2, 2, 0.3, 1, 0.5, 2, 0.4, {}, {}};
   settings.boundary.west.kind = BoundaryKind::roller;
   settings.fractures.push_back({"slit", FractureKind::open, {{-4, 0}, {4, 0}}, 0, 0, 0.5, 0});
   settings.fractures.push_back({"joint", FractureKind::natural, {{8, -4}, {8, 4}}, 0, 0, 0.6, 1e5});
