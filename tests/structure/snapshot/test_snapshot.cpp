@@ -9,6 +9,7 @@
 #include "structure/structure_snapshot.hpp"
 #include "tests/fakes/structure/mesh_changes.hpp"
 #include "tests/fakes/structure/shale_case.hpp"
+#include "tests/structure/fracture/growing_rock.hpp"
 
 using namespace fissura;
 using namespace fissura::structure;
@@ -97,6 +98,24 @@ TEST_CASE("a structure restored after insertions goes on bit for bit, through fu
   require_same_motion(original, copy);
   CHECK(original.geometry.frequency_squared == copy.geometry.frequency_squared);
   CHECK(original.geometry.mesh.unused_nodes == copy.geometry.mesh.unused_nodes);
+}
+
+TEST_CASE("fractures that grew before and after a restart do so bit for bit", "[structure][snapshot]") {
+  GrowingRock original(free_slit());
+  original.grow_along(0.2, 3);
+  GrowingRock copy(free_slit());
+  copy.state = restore_snapshot(save_snapshot({0, 0, {}, original.state}, original.geometry), copy.model,
+                                copy.geometry)
+                   .state;
+  copy.geometry.network = original.geometry.network;
+  for (GrowingRock* rock : {&original, &copy}) {
+    REQUIRE(rock->grow_along(-0.3, 3) == 6);
+    StructureRun(rock->model, rock->geometry).advance(0, 0.01, rock->state);
+  }
+  CHECK(same_bits(original.state.body.displacement, copy.state.body.displacement));
+  CHECK(same_bits(original.state.body.velocity, copy.state.body.velocity));
+  CHECK(original.geometry.mesh.elements == copy.geometry.mesh.elements);
+  CHECK(original.geometry.frequency_squared == copy.geometry.frequency_squared);
 }
 
 TEST_CASE("a structure goes back behind its insertions to the mesh of the case", "[structure][snapshot]") {
