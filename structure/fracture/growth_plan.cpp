@@ -66,10 +66,11 @@ class GrowthPlanner {
     return fractures;
   }
 
-  [[nodiscard]] InPlane<double> average(const FractureTip& tip, double radius, double width) const {
+  [[nodiscard]] InPlane<double> average(const FractureTip& tip, double radius, double width,
+                                        HalfDisc::Weighting weighting) const {
     const double h = controls_.tip_size;
     return average_stress(geometry_.mesh, geometry_.node_elements, geometry_.body, model_.moduli, state_.body.displacement,
-                          {tip.position, tip.node, tip.direction, radius * h, width * h});
+                          {tip.position, tip.node, tip.direction, radius * h, width * h, weighting});
   }
 
   [[nodiscard]] bool fails(const FractureTip& tip) const {
@@ -78,15 +79,15 @@ class GrowthPlanner {
         tip_strength(rock.tensile_strength, rock.fracture_energy, rock.plane_strain_modulus(), controls_.tip_size);
     const double pressure = std::max(adjacent_pressure(geometry_.mesh, state_.joints, tip),
                                      in_situ_state(model_.run_case, tip.position).pore_pressure);
-    const Principal stress = principal(average(tip, trigger_radius, trigger_width));
+    const Principal stress = principal(average(tip, trigger_radius, trigger_width, HalfDisc::Weighting::near));
     return stress.major + pressure >= model_.run_case.growth.trigger * strength;
   }
 
   std::optional<PatchPlan> plan_segment(const FractureTip& tip, const Mesh& fractures, GrowthPlan& plan) {
     const Growth& growth = model_.run_case.growth;
     const double h = controls_.tip_size;
-    const auto direction =
-        growth_direction(average(tip, direction_radius, direction_width), tip.direction, growth.turn_limit);
+    const auto direction = growth_direction(average(tip, direction_radius, direction_width, HalfDisc::Weighting::ahead),
+                                            tip.direction, growth.turn_limit);
     const NextSegment segment = next_segment(geometry_.mesh, model_.run_case.domain, tip, direction, growth.segment_length * h, h);
     if (!segment.end) return std::nullopt;
     const std::vector<Point> line{tip.position, segment.end->position};

@@ -22,7 +22,7 @@ struct GrowthPlan {
 /// Early insertion of wet cohesive segments, for every tip at which
 ///   sigma_1(average over a half disc of 2 h) + p >= trigger f_t,tip ,
 /// p the fluid pressure on the faces of the last open vertex, at least that of the pores. The segment is perpendicular to the greatest
-/// principal stress of the average over 3 h. It starts closed, dry and cohesive, so that the trigger only decides how many closed
+/// principal stress of the average over 3 h, weighted with the square of the distance ahead. It starts closed, dry and cohesive, so that the trigger only decides how many closed
 /// segments lie ahead; the fracture energy is spent by the cohesion.
 /// @param time  coupling time [s]
 /// @returns nothing if no tip advances

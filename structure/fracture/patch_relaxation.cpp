@@ -197,8 +197,15 @@ class PatchRelaxation {
   }
 
   static double quality(const std::array<Point, 3>& corner, double size) {
-    const TriangleShape s = shape(corner[0], corner[1], corner[2]);
-    return std::min(s.sine_of_smallest_angle, altitude_weight * s.smallest_altitude / size);
+    const auto squared = [](const Point& a, const Point& b) {
+      const double x = b[0] - a[0], y = b[1] - a[1];
+      return x * x + y * y;
+    };
+    const double ab = squared(corner[0], corner[1]), bc = squared(corner[1], corner[2]), ca = squared(corner[2], corner[0]);
+    const double longest = std::max({ab, bc, ca}), product = ab * bc * ca, least = std::min({ab, bc, ca});
+    const double area = twice_area(corner[0], corner[1], corner[2]);
+    const double sine_of_smallest_angle = area / std::sqrt(product / least), altitude = area / std::sqrt(longest);
+    return std::min(sine_of_smallest_angle, altitude_weight * altitude / size);
   }
 
   bool improve() {

@@ -9,32 +9,57 @@
 
 namespace fissura::structure {
 
+namespace {
+
+constexpr int divisions = 4;  // of an element's edges, into triangles whose centroids are the points of integration
+
+double weight_at(const HalfDisc& disc, const Point& at) {
+  const double x = at[0] - disc.centre[0], y = at[1] - disc.centre[1];
+  const double ahead = x * disc.direction[0] + y * disc.direction[1], squared = x * x + y * y;
+  if (ahead <= 0 || squared > disc.radius * disc.radius) return 0;
+  const double gaussian = std::exp(-squared / (2 * disc.width * disc.width));
+  return disc.weighting == HalfDisc::Weighting::ahead ? ahead * ahead * gaussian : gaussian;
+}
+
+/// Integral of the weight over a triangle.
+double weight_of(const HalfDisc& disc, const std::array<Point, 3>& corner, double area) {
+  double sum = 0;
+  const auto add = [&](double second, double third) {
+    const double first = divisions - second - third;
+    Point at{};
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      at[axis] = (first * corner[0][axis] + second * corner[1][axis] + third * corner[2][axis]) / divisions;
+    sum += weight_at(disc, at);
+  };
+  for (int i = 0; i < divisions; ++i)
+    for (int j = 0; i + j < divisions; ++j) {
+      add(i + 1.0 / 3, j + 1.0 / 3);
+      if (i + j + 1 < divisions) add(i + 2.0 / 3, j + 2.0 / 3);
+    }
+  return sum * area / (divisions * divisions);
+}
+
+}  // namespace
+
 InPlane<double> average_stress(const Mesh& mesh, const NodeElements& node_elements, const Body& body,
                                const Elasticity& moduli, const std::vector<double>& displacement, const HalfDisc& disc) {
-  InPlane<double> sum{0, 0, 0}, nearest{0, 0, 0};
-  double weights = 0, nearest_weights = 0;
-  const auto add = [&](ElementIndex element, double weight, InPlane<double>& to, double& total) {
+  InPlane<double> sum{0, 0, 0};
+  double weights = 0;
+  const auto add = [&](ElementIndex element, double weight) {
     const InPlane<double> stress = undamaged_stress(mesh, body, moduli, element, displacement).in_plane;
     const double pressure = body.in_situ[element].pore_pressure;
-    to.xx += weight * (stress.xx - pressure);
-    to.yy += weight * (stress.yy - pressure);
-    to.xy += weight * stress.xy;
-    total += weight;
+    sum.xx += weight * (stress.xx - pressure);
+    sum.yy += weight * (stress.yy - pressure);
+    sum.xy += weight * stress.xy;
+    weights += weight;
   };
   for (const ElementIndex element : connected_elements(mesh, node_elements, disc.node, disc.centre, disc.radius)) {
-    const Point at = centroid(mesh, element);
-    const double x = at[0] - disc.centre[0], y = at[1] - disc.centre[1];
-    if (x * disc.direction[0] + y * disc.direction[1] <= 0) continue;
-    const double squared = x * x + y * y, area = triangle(mesh, element).area;
-    if (squared > disc.radius * disc.radius) continue;
-    add(element, area * std::exp(-squared / (2 * disc.width * disc.width)), sum, weights);
+    const auto& [a, b, c] = mesh.elements[element];
+    const std::array<Point, 3> corner{mesh.position[a], mesh.position[b], mesh.position[c]};
+    if (const double weight = weight_of(disc, corner, triangle(mesh, element).area); weight > 0) add(element, weight);
   }
-  if (weights == 0) {
-    for (const ElementIndex element : node_elements.of(disc.node))
-      add(element, triangle(mesh, element).area, nearest, nearest_weights);
-    sum = nearest;
-    weights = nearest_weights;
-  }
+  if (weights == 0)
+    for (const ElementIndex element : node_elements.of(disc.node)) add(element, triangle(mesh, element).area);
   return {sum.xx / weights, sum.yy / weights, sum.xy / weights};
 }
 
