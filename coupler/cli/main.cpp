@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
+#include <optional>
 #include <string>
 
 #include "common/errors.hpp"
 #include "common/log.hpp"
 #include "coupler/cli/check_command.hpp"
+#include "coupler/cli/report_command.hpp"
 #include "coupler/cli/run_command.hpp"
 
 namespace {
@@ -50,10 +53,17 @@ int main(int argc, char** argv) {
   CLI::App* check = program.add_subcommand("check", "every fault of a case, or what follows from it");
   add_case_options(*check, options.source, short_form);
 
+  std::filesystem::path run_directory;
+  std::optional<std::filesystem::path> page;
+  CLI::App* report = program.add_subcommand("report", "the results of a run as one HTML page with pictures");
+  report->add_option("RUN", run_directory, "run directory; the run may still be going on")->required();
+  report->add_option("--out", page, "file to write; report.html in the run directory if not given");
+
   try {
     program.parse(argc, argv);
     if (short_form) options.source.variants.emplace_back("short");
     if (run->parsed()) return fissura::coupler::run_command(options);
+    if (report->parsed()) return fissura::coupler::report_command(run_directory, page);
     return fissura::coupler::check_command(options.source);
   } catch (const CLI::ParseError& fault) {
     return program.exit(fault) == 0 ? 0 : static_cast<int>(ExitCode::command_line);

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+
+#include "coupler/report/field_reports.hpp"
+
+namespace fissura::coupler {
+
+/// The fracture network at up to `most_reports` field reports, made to be drawn (numbers rounded to five
+/// digits):
+///   nodes     {"x", "y"} [m]: every node that ever was, once
+///   segments  [[node, node, first entry of `reports` that has it], ...]
+///   reports   [{"time" [s], "revision", "aperture" [m], "pressure" [Pa, total]}, ...]: values by node, null
+///   for a node not yet there
+/// Throws StorageError.
+nlohmann::json fracture_map(FieldReports& reports, std::size_t most_reports);
+
+}  // namespace fissura::coupler

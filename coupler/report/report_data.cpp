@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupler/report/report_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "common/errors.hpp"
+#include "coupler/report/comparison.hpp"
+#include "coupler/report/csv_columns.hpp"
+#include "coupler/report/fracture_map.hpp"
+#include "coupler/report/principal_stress.hpp"
+#include "coupler/report/stress_crosses.hpp"
+#include "coupler/report/thinning.hpp"
+#include "coupler/report/whole_lines.hpp"
+
+namespace fissura::coupler {
+
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr std::size_t parts_of_a_series = 1000;
+constexpr std::size_t most_maps = 60;
+constexpr int most_crosses = 400;
+
+json json_file(const fs::path& file) {
+  try {
+    return json::parse(whole_text(file));
+  } catch (const json::exception& fault) {
+    throw InputError(fmt::format("{} is damaged: {}", file.string(), fault.what()));
+  }
+}
+
+json json_file_if_there(const fs::path& file) {
+  return fs::exists(file) ? json_file(file) : json();
+}
+
+std::vector<std::size_t> rows_of(const CsvColumns& history) {
+  std::vector<std::vector<double>> peaks;
+  for (const char* column : {"relative_residual", "mismatch", "drift", "inlet_net_pressure", "duration"})
+    peaks.push_back(history.numbers(column));
+  return rows_to_draw(history.rows(), peaks, parts_of_a_series);
+}
+
+/// The given rows of a table, as far as it has them. Cells that are no numbers stay text.
+json table(const CsvColumns& csv, const std::vector<std::size_t>& rows,
+           const std::vector<std::string>& text_columns) {
+  json columns = json::object();
+  for (const std::string& name : csv.names()) {
+    const bool is_text = std::find(text_columns.begin(), text_columns.end(), name) != text_columns.end();
+    json list = json::array();
+    if (is_text) {
+      for (const std::size_t row : rows)
+        if (row < csv.rows()) list.push_back(csv.texts(name)[row]);
+    } else {
+      const std::vector<double> values = csv.numbers(name);
+      for (const std::size_t row : rows)
+        if (row < csv.rows()) list.push_back(values[row]);
+    }
+    columns[name] = std::move(list);
+  }
+  return {{"rows", csv.rows()}, {"columns", std::move(columns)}};
+}
+
+json remeshing_table(const fs::path& file) {
+  if (!fs::exists(file)) return nullptr;
+  const CsvColumns csv(file);
+  return table(csv, evenly_spread(csv.rows(), csv.rows()), {"hash_before", "hash_after"});
+}
+
+json in_situ_axes(const json& run_case) {
+  const json& in_situ = run_case.at("in_situ");
+  const json& stress = in_situ.at("stress");
+  const double pore =
+      run_case.at("rock").value("biot_coefficient", 1.0) * in_situ.value("pore_pressure", 0.0);
+  const PrincipalStress principal = principal_stress(stress.at(0), stress.at(1), stress.at(2));
+  return {{"greatest", pore - principal.greatest_compression},
+          {"least", pore - principal.least_compression},
+          {"angle", principal.angle}};
+}
+
+json stress_of_last_report(FieldReports& reports, const json& run_case) {
+  if (reports.all().empty()) return nullptr;
+  const FieldReport& last = reports.all().back();
+  const double width = run_case.at("domain").at("width"), height = run_case.at("domain").at("height");
+  const View domain{"whole domain", -width / 2, width / 2, -height / 2, height / 2};
+  return stress_crosses(reports, last, views_of(reports.of_network(last.revision, "position"), domain),
+                        most_crosses);
+}
+
+}  // namespace
+
+json report_data(const fs::path& run_directory) {
+  for (const char* file : {"run.json", "effective_case.json", "columns.json", "history.csv", "ledger.csv"})
+    if (!fs::exists(run_directory / file))
+      throw Error(ExitCode::precondition,
+                  fmt::format("{} is not a run directory: it has no {}", run_directory.string(), file));
+  const json run_case = json_file(run_directory / "effective_case.json");
+  const CsvColumns history(run_directory / "history.csv");
+  const std::vector<std::size_t> rows = rows_of(history);
+  FieldReports reports(run_directory);
+
+  json data;
+  data["run"] = json_file(run_directory / "run.json");
+  data["summary"] = json_file_if_there(run_directory / "summary.json");
+  data["columns"] = json_file(run_directory / "columns.json");
+  data["history"] = table(history, rows, {});
+  data["ledger"] = table(CsvColumns(run_directory / "ledger.csv"), rows, {});
+  data["remeshing"] = remeshing_table(run_directory / "remeshing.csv");
+  data["comparison"] = comparison(run_directory, run_case.at("time").at("end"));
+  data["classical"] =
+      history.rows() == 0 ? json() : classical_curves(run_case, history.numbers("time").back());
+  data["map"] = fracture_map(reports, most_maps);
+  data["stress"] = stress_of_last_report(reports, run_case);
+  data["in_situ"] = in_situ_axes(run_case);
+  data["case"] = run_case;
+  return data;
+}
+
+}  // namespace fissura::coupler
