@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structure/fracture/state_transfer.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <set>
 
@@ -38,8 +40,9 @@ StateTransfer::StateTransfer(const GrowthPlan& plan, const StructureModel& model
     : plan_(plan) {
   const Mesh& mesh = geometry.mesh;
   const State& body = state.body;
-  std::set<NodeIndex> nodes;
+  std::set<NodeIndex> all_nodes;
   for (const PatchPlan& patch : plan.patches) {
+    std::set<NodeIndex> nodes;
     for (const ElementIndex element : patch.removed) {
       nodes.insert(mesh.elements[element].begin(), mesh.elements[element].end());
       before_.strain_energy += strain_energy(mesh, model.moduli, element, body.displacement);
@@ -61,9 +64,15 @@ StateTransfer::StateTransfer(const GrowthPlan& plan, const StructureModel& model
         for (std::size_t k = 0; k < 3; ++k) add(node.corner[k], node.weight[k]);
       values.push_back(value);
     }
+    Motion of_patch;
+    for (const NodeIndex node : nodes) of_patch.add(geometry.body.mass[node], &body.velocity[2 * node]);
+    momentum_.push_back(of_patch.momentum);
+    std::set_difference(nodes.begin(), nodes.end(), patch.unused.begin(), patch.unused.end(),
+                        std::back_inserter(staying_.emplace_back()));
+    all_nodes.merge(nodes);
   }
   Motion motion;
-  for (const NodeIndex node : nodes) motion.add(geometry.body.mass[node], &body.velocity[2 * node]);
+  for (const NodeIndex node : all_nodes) motion.add(geometry.body.mass[node], &body.velocity[2 * node]);
   before_.mass = total(geometry.body.mass);
   before_.momentum = motion.momentum;
   before_.momentum_scale = motion.scale;
@@ -78,31 +87,28 @@ TransferBalance StateTransfer::carry_over(const MeshInsertion& insertion, const 
   body.velocity.resize(2 * geometry.mesh.position.size());
   for (const NodeIndex node : insertion.change.unused_nodes)
     for (std::size_t axis = 0; axis < 2; ++axis) body.displacement[2 * node + axis] = body.velocity[2 * node + axis] = 0;
-  double free_mass = 0;
-  for (std::size_t k = 0; k < plan_.patches.size(); ++k)
+  const auto add = [&](NodeIndex node, Motion& sum) { sum.add(mass[node], &body.velocity[2 * node]); };
+  for (std::size_t k = 0; k < plan_.patches.size(); ++k) {
+    double free_mass = 0;
+    Motion motion;
+    for (const NodeIndex node : staying_[k]) add(node, motion);
     for (std::size_t i = 0; i < value_[k].size(); ++i) {
       const NodeIndex node = insertion.node[k][i];
       for (std::size_t axis = 0; axis < 2; ++axis) {
         body.displacement[2 * node + axis] = value_[k][i][axis];
         body.velocity[2 * node + axis] = value_[k][i][2 + axis];
       }
+      add(node, motion);
       if (plan_.patches[k].nodes[i].origin == PlannedNode::Origin::interpolated) free_mass += mass[node];
     }
+    for (std::size_t i = 0; i < value_[k].size(); ++i)
+      if (plan_.patches[k].nodes[i].origin == PlannedNode::Origin::interpolated)
+        for (std::size_t axis = 0; axis < 2; ++axis)
+          body.velocity[2 * insertion.node[k][i] + axis] += (momentum_[k][axis] - motion.momentum[axis]) / free_mass;
+  }
 
-  const auto motion = [&] {
-    Motion sum;
-    for (const NodeIndex node : insertion.change.touched_nodes) sum.add(mass[node], &body.velocity[2 * node]);
-    return sum;
-  };
-  const std::array<double, 2> momentum = motion().momentum;
-  if (free_mass > 0)
-    for (std::size_t k = 0; k < plan_.patches.size(); ++k)
-      for (std::size_t i = 0; i < value_[k].size(); ++i)
-        if (plan_.patches[k].nodes[i].origin == PlannedNode::Origin::interpolated)
-          for (std::size_t axis = 0; axis < 2; ++axis)
-            body.velocity[2 * insertion.node[k][i] + axis] += (before_.momentum[axis] - momentum[axis]) / free_mass;
-
-  const Motion after = motion();
+  Motion after;
+  for (const NodeIndex node : insertion.change.touched_nodes) add(node, after);
   TransferBalance balance;
   balance.mass_error = std::abs(total(mass) - before_.mass) / before_.mass;
   if (before_.momentum_scale > 0)

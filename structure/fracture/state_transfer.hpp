@@ -25,7 +25,7 @@ struct TransferBalance {
 
 /// Carries displacements and velocities over an insertion: a copy of a node moves as its source; a new node inside the rock as the element it
 /// lies in did, so that stresses follow from displacements everywhere. Interpolation alone would change the momentum: the velocities of
-/// the new nodes inside the patches are shifted by one vector so that it stays. All other nodes keep their bits.
+/// the new nodes inside a patch are shifted by one vector so that the momentum of each patch stays. All other nodes keep their bits.
 class StateTransfer {
  public:
   /// Looks at the patches before the mesh changes.
@@ -40,6 +40,8 @@ class StateTransfer {
  private:
   const GrowthPlan& plan_;
   PatchBefore before_;
+  std::vector<std::vector<NodeIndex>> staying_;            ///< of each patch: nodes around it that are still there after
+  std::vector<std::array<double, 2>> momentum_;            ///< of each patch [kg/s]
   std::vector<std::vector<std::array<double, 4>>> value_;  ///< displacement and velocity of every planned node
 };
 
