@@ -13,15 +13,22 @@ namespace fissura::coupler {
 
 namespace {
 
+/// Cells may stand in quotes (RFC 4180), but not go over the end of a line.
 std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> cells;
-  std::size_t begin = 0;
-  for (;;) {
-    const std::size_t comma = line.find(',', begin);
-    cells.push_back(line.substr(begin, comma - begin));
-    if (comma == std::string::npos) return cells;
-    begin = comma + 1;
+  std::vector<std::string> cells(1);
+  bool in_quotes = false;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    const bool doubled = in_quotes && line.compare(at, 2, "\"\"") == 0;
+    if (line[at] == '"' && !doubled) {
+      in_quotes = !in_quotes;
+    } else if (line[at] == ',' && !in_quotes) {
+      cells.emplace_back();
+    } else {
+      cells.back() += line[at];
+      if (doubled) ++at;
+    }
   }
+  return cells;
 }
 
 }  // namespace

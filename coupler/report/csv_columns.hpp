@@ -9,7 +9,7 @@
 
 namespace fissura::coupler {
 
-/// A table of a run directory: a header and lines of cells without quotes. A last line without its end is
+/// A table of a run directory: a header and lines of cells. A last line without its end is
 /// left out, because the run that writes it may still be at it.
 class CsvColumns {
  public:

@@ -67,7 +67,7 @@ json table(const CsvColumns& csv, const std::vector<std::size_t>& rows,
 json remeshing_table(const fs::path& file) {
   if (!fs::exists(file)) return nullptr;
   const CsvColumns csv(file);
-  return table(csv, evenly_spread(csv.rows(), csv.rows()), {"hash_before", "hash_after"});
+  return table(csv, evenly_spread(csv.rows(), csv.rows()), {"fracture", "hash_before", "hash_after"});
 }
 
 json in_situ_axes(const json& run_case) {

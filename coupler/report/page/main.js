@@ -5,6 +5,7 @@ const history = data.history.columns, ledger = data.ledger.columns, time = histo
 const last = (column) => (history[column] && history[column].length ? history[column][history[column].length - 1] : null);
 const isUsed = (column) => (history[column] || []).some((value) => value !== null && value !== 0);
 const ofHistory = (label, column, colour, more = {}) => ({ label, x: time, y: history[column] || [], colour, ...more });
+const isDry = (data.case.injection.perforations || []).length === 0;
 const thinned = data.history.rows > time.length;
 
 function head() {
@@ -47,9 +48,10 @@ function keyFigures(grid) {
   const card = (id, title, rows) => grid.append(element("div", { class: "card", id }, element("h3", {}, title), table(null, rows, ["", "number"])));
   card("at-the-end", "At the last coupling time", [
     ["time", `${shown(last("time"))} s`], ["half-length", `${shown(last("half_length"))} m`],
+    ...(isDry ? [["strain energy", `${shown(last("strain_energy"))} J`], ["cohesive work", `${shown(last("cohesive_work"))} J`], ["failure work", `${shown(last("failure_work"))} J`]] : [
     ["inlet aperture", `${shown(last("inlet_aperture") * 1e3)} mm`], ["inlet net pressure", `${shown(last("inlet_net_pressure") / 1e6)} MPa`],
     ["injected", `${shown(last("injected"))} m\u00b3`], ["efficiency", shown(last("efficiency"))],
-    ["ledger residual, relative", shown(last("relative_residual"), 2)]]);
+    ["ledger residual, relative", shown(last("relative_residual"), 2)]])]);
   const steps = (history.explicit_steps || []).length && !thinned ? history.explicit_steps.reduce((sum, count) => sum + count, 0) : null;
   card("effort", "Effort", [
     ["coupling intervals", shown(coupling.intervals ?? data.history.rows)], ["explicit steps", shown(coupling.explicit_steps ?? steps)],
@@ -94,12 +96,17 @@ function growth() {
   const classical = data.classical ? "Classical KGD: Geertsma and de Klerk (1969), each wing with half the rate; no toughness, no leak-off, no lag, so a "
     + "real fracture of finite toughness is shorter and wider; it needs a constant rate and a Newtonian fluid." : "The classical KGD solution is not "
     + "drawn: it needs a Newtonian fluid injected at a constant rate through one perforation.";
-  const grid = section("Growth", classical + remark), x = "time [s]";
-  chart(grid, { id: "half_length", title: "Half-length", x, y: "half-length [m]", zero: true,
+  const grid = section("Growth", (isDry ? "No fluid is pumped in this case." : classical) + remark), x = "time [s]";
+  chart(grid, { id: "half_length", title: "Half-length", x, y: "half-length [m]", zero: true, wide: isDry && !isUsed("path_deviation") && !isUsed("end_angle"),
     series: [...compared("half_length", "half-length"), ofHistory("opened part", "half_length_open", colours.teal, { width: 1 }),
       ofHistory("fully broken part", "half_length_broken", colours.plum, { width: 1 })],
     caption: "Half of the trace length, between the last opened and the last fully broken node; the steps are mesh edges.",
     source: sourceOf("half_length, half_length_open, half_length_broken") });
+  if (!isDry) inlet(grid, x);
+  if (isUsed("path_deviation") || isUsed("end_angle")) path(grid, x);
+}
+
+function inlet(grid, x) {
   chart(grid, { id: "inlet_aperture", title: "Aperture at the inlet", x, y: "aperture [mm]", factor: 1e3, zero: true,
     series: compared("inlet_aperture", "aperture"), caption: "Mechanical opening at the first perforation.", source: sourceOf("inlet_aperture") });
   chart(grid, { id: "inlet_net_pressure", title: "Net pressure at the inlet", x, y: "net pressure [MPa]", factor: 1e-6, limits: limitsAfterOpening("inlet_net_pressure", 1e-6),
@@ -109,16 +116,15 @@ function growth() {
     series: [ofHistory("well pressure", "well_pressure", colours.blue), ofHistory("rate", "rate", colours.ochre, { right: true })],
     caption: "Total pressure in the well, and the rate of the whole thickness: injected positive, produced negative.", source: "history.csv: time, well_pressure, rate" });
   if (isUsed("leaked")) chart(grid, { id: "efficiency", title: "Efficiency", x, y: "efficiency [\u2013]",
-    series: compared("efficiency", "efficiency"), caption: "Fluid in the fractures over all fluid.", source: sourceOf("efficiency") });
-  if (isUsed("path_deviation") || isUsed("end_angle")) path(grid, x);
+    wide: !isUsed("path_deviation"), series: compared("efficiency", "efficiency"), caption: "Fluid in the fractures over all fluid.", source: sourceOf("efficiency") });
 }
 
 function path(grid, x) {
   const degree = 180 / Math.PI;
-  chart(grid, { id: "path", title: "Path", x, y: "angle [degree]", factor: degree, right: "distance [m]", rightFactor: 1,
+  chart(grid, { id: "path", title: "Path", wide: !isDry && !isUsed("leaked"), x, y: "angle [degree]", factor: degree, right: "distance [m]", rightFactor: 1,
     series: [ofHistory("slit to chord of the wing", "path_angle", colours.blue), ofHistory("first segment to greatest compression", "first_angle", colours.teal),
       ofHistory("end to greatest compression", "end_angle", colours.plum), ofHistory("distance from the slit's line", "path_deviation", colours.ochre, { right: true })],
-    caption: "The worst of all wings; the end is the mean of the last three segments.", source: "history.csv: time, path_angle, first_angle, end_angle, path_deviation" });
+    caption: "The worst of all wings; the end is the mean of the last three segments. In an isotropic stress the slit stands for the greatest compression.", source: "history.csv: time, path_angle, first_angle, end_angle, path_deviation" });
 }
 
 function fluid() {
@@ -159,20 +165,21 @@ function remeshing() {
   const { rows, columns } = data.remeshing, number = columns.time.map((_, row) => row + 1), x = "insertion";
   const difference = (after, before) => columns[after].map((value, row) => value - columns[before][row]);
   const sum = (column) => columns[column].reduce((total, value) => total + value, 0);
-  const median = (column) => [...columns[column]].sort((a, b) => a - b)[Math.floor(rows / 2)];
+  const touched = columns.elements_made.map((made, row) => Math.max(made, columns.elements_removed[row])).sort((a, b) => a - b);
+  const median = (touched[Math.floor((rows - 1) / 2)] + touched[Math.floor(rows / 2)]) / 2;
   const identical = columns.hash_before.every((hash, row) => hash === columns.hash_after[row]);
   const of = (label, y, colour, more = {}) => ({ label, x: number, y, colour, marker: 2, width: 1, ...more });
   const grid = section("Remeshing", "Every insertion replaces a patch of elements around one tip; all others must stay bit-identical.");
   const total = ((data.summary || {}).wall || {}).total_s, stable = columns.stable_step_after.map((after, row) => after / columns.stable_step_before[row]);
   grid.append(element("div", { class: "card wide", id: "remeshing-totals" }, element("h3", {}, "Totals"), table(
-    ["insertions", "median removed, made", "most made", "untouched elements", "smallest angle", "smallest altitude", "worst step ratio", "largest mass error", "wall time"],
-    [[String(rows), `${shown(median("elements_removed"))}, ${shown(median("elements_made"))}`, shown(Math.max(...columns.elements_made)),
+    ["insertions", "median touched", "most touched", "untouched elements", "smallest angle", "smallest altitude", "worst step ratio", "largest mass error", "wall time"],
+    [[String(rows), shown(median), shown(touched[rows - 1]),
       { text: identical ? "bit-identical" : "CHANGED", kind: identical ? "pass" : "fail" }, `${shown(Math.min(...columns.smallest_angle) * 180 / Math.PI, 3)}\u00b0`,
       `${shown(Math.min(...columns.smallest_altitude), 3)} m`, shown(Math.min(...stable), 3), shown(Math.max(...columns.mass_error.map(Math.abs)), 2),
       `${shown(sum("wall_seconds"), 3)} s` + (total ? ` (${percent(sum("wall_seconds") / total)})` : "")]])));
   chart(grid, { id: "touched", title: "Elements touched", x, y: "elements", zero: true,
     series: [of("removed", columns.elements_removed, colours.orange), of("made", columns.elements_made, colours.blue)],
-    caption: "Elements of the patch before and after.", source: "remeshing.csv: elements_removed, elements_made" });
+    caption: "Elements of the patch before and after; the larger number counts as touched.", source: "remeshing.csv: elements_removed, elements_made" });
   chart(grid, { id: "altitude", title: "Smallest altitude and stable step", x, y: "altitude [m]", zero: true, right: "stable step, after over before [\u2013]", rightFactor: 1,
     series: [of("smallest altitude", columns.smallest_altitude, colours.blue), of("stable step, after over before", stable, colours.ochre, { right: true })],
     caption: "The smallest altitude of the new elements, and what the insertion did to the stable step of the structure.",
@@ -180,7 +187,7 @@ function remeshing() {
   chart(grid, { id: "energy_jump", title: "Energy of the patch", x, y: "after minus before [J]",
     series: [of("strain", difference("strain_energy_after", "strain_energy_before"), colours.blue),
       of("kinetic", difference("kinetic_energy_after", "kinetic_energy_before"), colours.orange)],
-    caption: "What carrying displacement and momentum over to the new elements changes.",
+    caption: "What carrying displacement and momentum over to the new elements changes. Segments inserted at once share one patch energy.",
     source: "remeshing.csv: strain_energy_*, kinetic_energy_*" });
   chart(grid, { id: "remeshing_wall", title: "Wall time of an insertion", x, y: "wall time [ms]", factor: 1e3, zero: true,
     series: [of("wall time", columns.wall_seconds, colours.blue)], caption: "Of the structure: patch, new elements, transfer of state.", source: "remeshing.csv: wall_seconds" });
@@ -207,8 +214,8 @@ verdict(result);
 keyFigures(result);
 if (data.map.segments.length > 0) fractureMap(section("Fracture map", ""), data);
 growth();
-fluid();
-coupling();
+if (!isDry) fluid();
+if (!isDry) coupling();
 if (data.remeshing && data.remeshing.rows > 0) remeshing();
 energies();
 if (data.stress) stressPicture(section("Stress", ""), data);

@@ -11,7 +11,9 @@ function rampColour(share) {
 
 function caseLines(ctx, place, runCase) {
   const styles = { open: ["#9fb0be", []], natural: ["#9fb0be", []], intact: ["#cfd8df", [3, 4]] };
+  const isFree = (runCase.growth || {}).path === "free";
   for (const line of runCase.fractures || []) {
+    if (isFree && line.kind === "intact") continue;
     [ctx.strokeStyle] = styles[line.kind] || styles.open;
     ctx.setLineDash((styles[line.kind] || styles.open)[1]);
     ctx.lineWidth = 1;

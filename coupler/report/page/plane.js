@@ -87,9 +87,10 @@ function compressionArrows(ctx, x, y, angle, length) {
   }
 }
 
-// The total in-situ stresses, to the right of a picture.
+// The total in-situ stresses, if there are any, to the right of a picture.
 function inSituAxes(ctx, area, inSitu) {
   const x = area.right + 78, y = area.top + 64, longest = 42;
+  if (inSitu.greatest === 0 && inSitu.least === 0) return;
   ctx.strokeStyle = ctx.fillStyle = "#4b5965";
   ctx.lineWidth = 1.6;
   const ratio = inSitu.greatest > 0 ? Math.max(0.3, inSitu.least / inSitu.greatest) : 1;
