@@ -45,9 +45,8 @@ Direction direction(const NetworkNode& from, const NetworkNode& to) {
   return {(to.x - from.x) / length, (to.y - from.y) / length};
 }
 
-/// The part's nodes from one end to the other if it is one straight chain.
-std::optional<std::vector<std::size_t>> straight_chain(const FractureNetwork& network, const Neighbours& neighbours,
-                                                       const std::vector<std::size_t>& part) {
+/// The part's nodes from one end to the other if it does not branch.
+std::optional<std::vector<std::size_t>> chain_of(const Neighbours& neighbours, const std::vector<std::size_t>& part) {
   if (part.size() == 1) return part;
   std::optional<std::size_t> end;
   for (const std::size_t node : part) {
@@ -63,14 +62,6 @@ std::optional<std::vector<std::size_t>> straight_chain(const FractureNetwork& ne
         chain.push_back(next);
         break;
       }
-  }
-  const auto& nodes = network.nodes();
-  const Direction first = direction(nodes[chain[0]], nodes[chain[1]]);
-  constexpr double straightness = 1e-6;
-  for (std::size_t k = 1; k + 1 < chain.size(); ++k) {
-    const Direction here = direction(nodes[chain[k]], nodes[chain[k + 1]]);
-    if (std::abs(first.x * here.y - first.y * here.x) > straightness || first.x * here.x + first.y * here.y < 0)
-      return std::nullopt;
   }
   return chain;
 }
@@ -132,7 +123,7 @@ std::vector<double> interface_compliance(const FractureNetwork& network, double 
   for (std::size_t start = 0; start < network.nodes().size(); ++start) {
     if (seen[start]) continue;
     const std::vector<std::size_t> part = connected_part(neighbours, start, seen);
-    if (const auto chain = straight_chain(network, neighbours, part))
+    if (const auto chain = chain_of(neighbours, part))
       closed_form(network, *chain, plane_strain_modulus, compliance);
     else
       row_sum(network, neighbours, part, plane_strain_modulus, compliance);

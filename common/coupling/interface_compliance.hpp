@@ -11,8 +11,8 @@ namespace fissura {
 /// what the structure will do with a pressure increment and stores no fluid; a factor between 0.1 and 3 is harmless for length, aperture and
 /// pressure. Within one interval the inertia of the rock lets only a part of the static opening happen, so a factor below 1 keeps the
 /// structure's volume closer to the content.
-/// A connected part of the network that is one straight fracture takes the closed form, any other one the row sum of the
-/// displacement-discontinuity method. Both have the same floor, so that k_s = 1 / C_R never exceeds E' / (2 h).
+/// A connected part of the network that does not branch takes the closed form of a straight crack, in arc length; any other one the row
+/// sum of the displacement-discontinuity method. Both have the same floor, so that k_s = 1 / C_R never exceeds E' / (2 h).
 /// @param network               the graph at its present revision
 /// @param plane_strain_modulus  E' [Pa]
 /// @param factor                > 0 [-]
