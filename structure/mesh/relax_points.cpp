@@ -2,6 +2,8 @@
 #include "structure/mesh/relax_points.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -26,6 +28,7 @@ constexpr double altitude_weight =
 constexpr double first_search_step = 0.2;  // of the target size
 constexpr int search_halvings = 5;
 constexpr int search_directions = 8;
+constexpr double beyond_rounding = 1e-9;
 
 class Relaxation {
  public:
@@ -34,6 +37,10 @@ class Relaxation {
     for (const Point& point : cloud_.points) {
       sample_.push_back(region_.sample(point));
       finest_ = std::min(finest_, sample_.back().size);
+    }
+    for (int k = 0; k < search_directions; ++k) {
+      const double angle = 2 * std::numbers::pi * k / search_directions;
+      directions_[k] = {std::cos(angle), std::sin(angle)};
     }
   }
 
@@ -149,44 +156,98 @@ class Relaxation {
     connect();
   }
 
+  [[nodiscard]] std::array<Point, 3> corners(std::uint32_t triangle, std::uint32_t point, Point place) const {
+    std::array<Point, 3> corner;
+    for (std::size_t k = 0; k < 3; ++k)
+      corner[k] = triangles_[triangle][k] == point ? place : cloud_.points[triangles_[triangle][k]];
+    return corner;
+  }
+
   // The smallest angle around a point that stands at `place`, or less where an altitude is small for the
   // target size.
   [[nodiscard]] double worst_shape_around(std::uint32_t point, Point place) const {
     double worst = std::numeric_limits<double>::infinity();
     for (const std::uint32_t t : around(point)) {
-      Point corner[3];
-      for (int k = 0; k < 3; ++k)
-        corner[k] = triangles_[t][k] == point ? place : cloud_.points[triangles_[t][k]];
-      const TriangleShape triangle = shape(corner[0], corner[1], corner[2]);
+      const auto [a, b, c] = corners(t, point, place);
+      const TriangleShape triangle = shape(a, b, c);
       worst = std::min(
           {worst, triangle.sine_of_smallest_angle, altitude_weight * triangle.smallest_altitude / finest_});
     }
     return worst;
   }
 
+  // About the square of worst_shape_around, without a root; looks no further than the first below `enough`.
+  [[nodiscard]] double squared_worst_shape_around(std::uint32_t point, Point place, double enough) const {
+    const double altitude_scale = altitude_weight * altitude_weight / (finest_ * finest_);
+    double worst = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t t : around(point)) {
+      const auto [a, b, c] = corners(t, point, place);
+      const SquaredShape squared = squared_shape(a, b, c);
+      worst = std::min({worst, squared.sine_of_smallest_angle, altitude_scale * squared.smallest_altitude});
+      if (worst < enough) break;
+    }
+    return worst;
+  }
+
+  [[nodiscard]] bool surely_above(double bound, std::uint32_t point, Point place) const {
+    const double limit = bound * bound * (1 + beyond_rounding);
+    return squared_worst_shape_around(point, place, limit) > limit;
+  }
+
+  [[nodiscard]] bool surely_below(double bound, std::uint32_t point, Point place) const {
+    const double limit = bound * bound * (1 - beyond_rounding);
+    return bound > 0 && squared_worst_shape_around(point, place, limit) < limit;
+  }
+
+  // Tells whether the triangles around a point are those of an earlier search.
+  [[nodiscard]] std::uint64_t surroundings(std::uint32_t point) const {
+    std::uint64_t sum = 0;
+    for (const std::uint32_t t : around(point)) {
+      std::uint64_t mixed = 0;
+      for (const std::uint32_t corner : triangles_[t])
+        for (const double coordinate : cloud_.points[corner]) {
+          mixed = (std::rotl(mixed, 29) ^ std::bit_cast<std::uint64_t>(coordinate)) * 0x9e3779b97f4a7c15u;
+          mixed ^= mixed >> 32;
+        }
+      sum += mixed;
+    }
+    return sum;
+  }
+
+  // Whether the point has moved to a better place.
+  bool improve_shapes_around(std::uint32_t i, double enough) {
+    if (surely_above(enough, i, cloud_.points[i])) return false;
+    double best = worst_shape_around(i, cloud_.points[i]);
+    if (best >= enough) return false;
+    const std::uint64_t here = surroundings(i);
+    if (in_vain_[i] == here) return false;
+    bool moved = false;
+    double step = first_search_step * sample_[i].size;
+    for (int halving = 0; halving < search_halvings && best < enough; ++halving, step /= 2)
+      for (const Point& direction : directions_) {
+        const Point from = cloud_.points[i];
+        const Point to{from[0] + step * direction[0], from[1] + step * direction[1]};
+        if (surely_below(best, i, to)) continue;
+        const double shape_there = worst_shape_around(i, to);
+        if (shape_there <= best) continue;
+        const MeshRegion::Sample sample = region_.sample(to);
+        if (!may_move(i, sample, step)) continue;
+        best = shape_there;
+        cloud_.points[i] = to;
+        sample_[i] = sample;
+        moved = true;
+      }
+    if (!moved) in_vain_[i] = here;
+    return moved;
+  }
+
   // Whether any point has moved.
   bool improve_shapes() {
     bool moved = false;
     const double enough = std::sin(angle_to_improve * std::numbers::pi / 180);
-    for (std::uint32_t i = cloud_.prescribed; i < cloud_.points.size(); ++i) {
-      if (cloud_.held[i]) continue;
-      double best = worst_shape_around(i, cloud_.points[i]);
-      double step = first_search_step * sample_[i].size;
-      for (int halving = 0; halving < search_halvings && best < enough; ++halving, step /= 2)
-        for (int k = 0; k < search_directions; ++k) {
-          const double angle = 2 * std::numbers::pi * k / search_directions;
-          const Point from = cloud_.points[i];
-          const Point to{from[0] + step * std::cos(angle), from[1] + step * std::sin(angle)};
-          const double shape_there = worst_shape_around(i, to);
-          if (shape_there <= best) continue;
-          const MeshRegion::Sample sample = region_.sample(to);
-          if (!may_move(i, sample, step)) continue;
-          best = shape_there;
-          cloud_.points[i] = to;
-          sample_[i] = sample;
-          moved = true;
-        }
-    }
+    in_vain_.resize(cloud_.points.size(), 0);
+    for (std::uint32_t i = cloud_.prescribed; i < cloud_.points.size(); ++i)
+      if (!cloud_.held[i] && improve_shapes_around(i, enough)) moved = true;
     return moved;
   }
 
@@ -197,12 +258,14 @@ class Relaxation {
   double finest_ = std::numeric_limits<double>::infinity();  // smallest target size [m]
   std::vector<PointTriple> triangles_;
   std::vector<std::uint32_t> first_, incident_;  // triangles around each point
+  std::array<Point, search_directions> directions_;
+  std::vector<std::uint64_t> in_vain_;  // of each point: surroundings in which no place was better
 };
 
 }  // namespace
 
 std::vector<PointTriple> relax_points(PointCloud& cloud, std::span<const PointPair> edges,
-                                   const MeshRegion& region) {
+                                      const MeshRegion& region) {
   return Relaxation(cloud, edges, region).run();
 }
 
