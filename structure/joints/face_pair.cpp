@@ -31,9 +31,9 @@ FacePair face_pair(const ContactUnit& unit, std::span<const double> mass, double
   pair.plus = unit.plus;
   pair.mass_minus = mass_scale * mass[unit.minus];
   pair.mass_plus = mass_scale * mass[unit.plus];
-  pair.length = unit.length;
-  const double face = std::hypot(unit.face[0], unit.face[1]);
-  pair.normal = (1 / face) * Vector{unit.face[0], unit.face[1]};
+  pair.length = std::hypot(unit.face[0], unit.face[1]);
+  pair.flatness = pair.length / unit.length;
+  pair.normal = (1 / pair.length) * Vector{unit.face[0], unit.face[1]};
   pair.tangent = {pair.normal.y, -pair.normal.x};
   return pair;
 }

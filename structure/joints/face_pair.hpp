@@ -39,7 +39,8 @@ struct FacePair {
   NodeIndex minus = 0, plus = 0;
   double mass_minus = 0, mass_plus = 0;  ///< scaled [kg/m]
   Vector normal, tangent;                ///< from minus to plus; tangent = (n_y, -n_x)
-  double length = 0;                     ///< [m]
+  double length = 0;                     ///< of the face vector, on which every traction acts [m]
+  double flatness = 1;                   ///< length over trace length, below 1 at a kink [-]
   double pressure = 0;                   ///< of the fluid, at the aperture of the step's begin [Pa]
   double normal_stiffness = 0;           ///< of fluid and unloading cohesion, taken implicitly [Pa/m]
   double tangential_stiffness = 0;       ///< of the cohesion, taken implicitly [Pa/m]

@@ -22,7 +22,7 @@ JointProperties joint_properties(const Mesh& mesh, UnitIndex index, const Rock& 
 double cohesive_work(const Mesh& mesh, const Joints& joints) {
   double work = 0;
   for (UnitIndex unit = 0; unit < mesh.units.size(); ++unit)
-    work += mesh.units[unit].length * joints.properties[unit].cohesive.spent_energy(joints.state[unit].greatest_separation);
+    work += std::hypot(mesh.units[unit].face[0], mesh.units[unit].face[1]) * joints.properties[unit].cohesive.spent_energy(joints.state[unit].greatest_separation);
   return work;
 }
 

@@ -23,9 +23,9 @@ void observe(const FacePair& pair, const JointNodes& nodes, const JointPropertie
   const Vector jump = at(nodes.displacement, pair.plus) - at(nodes.displacement, pair.minus);
   const double sliding = dot(jump, pair.tangent);
   if (state.closed) state.slip += std::abs(sliding - state.sliding);
-  state.opening = dot(jump, pair.normal);
+  state.opening = pair.flatness * dot(jump, pair.normal);
   state.sliding = sliding;
-  state.opening_rate = relative_velocity(pair, pair.normal, nodes.velocity);
+  state.opening_rate = pair.flatness * relative_velocity(pair, pair.normal, nodes.velocity);
   state.greatest_separation = std::max(state.greatest_separation, std::hypot(std::max(state.opening, 0.0), sliding));
   state.pressure = ramp.applied(tau, aperture(properties, state));
 }

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "structure/joints/face_pair.hpp"
 #include "tests/structure/joints/block_pair.hpp"
 
 using namespace fissura;
@@ -153,4 +154,17 @@ TEST_CASE("a joint that is pulled apart takes its fracture energy from the motio
   // Work per area = impulse x relative speed / length, less what the first step of 1 of 100 spent.
   CHECK(impulse * speed / length == Approx(50).epsilon(0.03));
   CHECK(pair.joints().broken(0));
+}
+
+TEST_CASE("at a kink, fluid pressure balances closure on the same face vector", "[structure][joints]") {
+  // Two edges of 0.5 m that meet at 60 degrees to their chord: 0.5 m of trace, a face vector of 0.25 m.
+  ContactUnit kink;
+  kink.plus = 1;
+  kink.face = {0, length / 2};
+  kink.length = length;
+  const std::vector<double> masses{mass, mass};
+  const FacePair pair = face_pair(kink, masses, 1);
+  CHECK(pair.length == Approx(length / 2));
+  CHECK(pair.flatness == Approx(0.5));
+  CHECK(dot(pair.normal, pair.normal) == Approx(1));
 }
