@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`coupler report` of real runs, looked at by a real browser: Chromium without a window."""
+import csv
+import html
+import io
+import json
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+
+from trio import COUPLER, Run
+
+# Runs in the page after its own scripts: what was drawn on every canvas, and where the page asked for something from outside.
+PROBE = """<script>
+window.addEventListener("load", () => setTimeout(() => {
+  const drawn = [...document.querySelectorAll("canvas")].map((canvas) => {
+    const { data } = canvas.getContext("2d").getImageData(0, 60, canvas.width, canvas.height - 60);
+    // Text, axes and grid are greys; series, fractures and stresses are coloured, and so is the legend at the top.
+    let coloured = 0;
+    for (let pixel = 0; pixel < data.length; pixel += 4) {
+      const [red, green, blue, opaque] = data.slice(pixel, pixel + 4);
+      if (opaque > 200 && Math.max(red, green, blue) - Math.min(red, green, blue) > 60) ++coloured;
+    }
+    return { id: canvas.closest("figure").id, coloured };
+  });
+  const wide = document.documentElement.scrollWidth - document.documentElement.clientWidth;
+  const asked = performance.getEntriesByType("resource").map((entry) => entry.name);
+  const figures = [...document.querySelectorAll("figure")].map((figure) => ({ id: figure.id,
+    caption: figure.querySelector("figcaption").textContent, canvas: figure.querySelector("canvas") !== null }));
+  const result = document.createElement("pre");
+  result.id = "probe";
+  result.textContent = JSON.stringify({ drawn, wide, asked, figures });
+  document.body.append(result);
+}, 200));
+</script></body>"""
+
+
+def write_report(run):
+    done = subprocess.run([COUPLER, "report", run.directory], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0, done.stderr
+    page = pathlib.Path(done.stdout.strip())
+    assert page == run.directory / "report.html"
+    return page.read_text()
+
+
+def data_of(page):
+    return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S).group(1))
+
+
+def browse(page):
+    """What the probe saw, and what the page wrote on the console."""
+    with tempfile.TemporaryDirectory(prefix="fissura-report-") as home:
+        file = pathlib.Path(home) / "report.html"
+        body, end = page.rsplit("</body>", 1)
+        file.write_text(body + PROBE + end)
+        command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run",
+                   f"--user-data-dir={home}/profile", "--window-size=1200,900", "--virtual-time-budget=10000",
+                   "--enable-logging=stderr", "--dump-dom", file.as_uri()]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+        found = re.search(r'<pre id="probe">(.*?)</pre>', done.stdout, re.S)
+        assert found, "the page did not come to its end:\n" + done.stderr
+        console = [line for line in done.stderr.splitlines() if "CONSOLE" in line]
+        return json.loads(html.unescape(found.group(1))), console
+
+
+class Report(unittest.TestCase):
+    def look_at(self, run, pictures):
+        page = write_report(run)
+        seen, console = browse(page)
+        self.assertEqual(console, [])
+        self.assertEqual(seen["asked"], [], "the page asked for something outside itself")
+        self.assertEqual(seen["wide"], 0, "the page is wider than a window of 1200 px")
+        drawn = {canvas["id"]: canvas for canvas in seen["drawn"]}
+        self.assertLessEqual(set(pictures), set(drawn))
+        for name, canvas in drawn.items():
+            self.assertGreater(canvas["coloured"], 100, name + " is blank")
+        for figure in seen["figures"]:
+            self.assertTrue(figure["canvas"], figure["id"] + " shows nothing")
+            self.assertRegex(figure["caption"], r"From (history|ledger|remeshing|segments)", figure["id"])
+        return data_of(page)
+
+    ALWAYS = ("map", "half_length", "inlet_aperture", "inlet_net_pressure", "pumping", "ledger", "residual", "mismatch", "energies",
+              "stress", "interval", "steps", "mass_scale")
+
+    def test_a_run_with_a_reference_is_drawn_whole(self):
+        with Run() as run:
+            self.assertEqual(run.wait(120), 0, run.errors)
+            data = self.look_at(run, self.ALWAYS)
+            rows = list(csv.DictReader(io.StringIO(run.history().decode())))
+            self.assertEqual(len(rows), data["history"]["rows"])
+            for column, values in data["history"]["columns"].items():
+                self.assertEqual(values, [float(row[column]) for row in rows], column)
+            self.assertEqual(data["summary"]["verdict"], "pass")
+            for column in ("half_length", "inlet_aperture", "inlet_net_pressure"):
+                self.assertIn(column, data["comparison"]["curves"])
+                self.assertTrue(data["classical"][column])
+
+    def test_a_fracture_on_its_own_path_shows_its_remeshing(self):
+        with Run("--set", "growth.path=free", "--until", "1 s") as run:
+            self.assertEqual(run.wait(120), 0, run.errors)
+            data = self.look_at(run, self.ALWAYS + ("touched", "altitude", "energy_jump", "remeshing_wall", "path"))
+            columns = data["remeshing"]["columns"]
+            self.assertGreater(data["remeshing"]["rows"], 0)
+            self.assertEqual(columns["hash_before"], columns["hash_after"])
+
+    def test_a_run_that_is_killed_on_its_way_is_drawn_as_far_as_it_went(self):
+        with Run("--set", "output.reports_per_segment=1", "--set", 'time.end="400 s"', form=None) as run:
+            run.wait_until_running(segments=2)
+            page = write_report(run)
+            self.assertGreaterEqual(len(data_of(page)["map"]["reports"]), 2)
+            run.process.kill()
+            run.process.wait()
+            self.assertIsNone(self.look_at(run, self.ALWAYS)["summary"])
+
+    def test_another_directory_is_refused(self):
+        with tempfile.TemporaryDirectory() as home:
+            done = subprocess.run([COUPLER, "report", home], capture_output=True, text=True, timeout=60)
+            self.assertEqual(done.returncode, 11, done.stderr)
+            self.assertIn("is not a run directory", done.stderr)
+            self.assertEqual(list(pathlib.Path(home).iterdir()), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
