@@ -23,12 +23,14 @@ double seconds_between(Clock::time_point begin, Clock::time_point end) {
 CentralDifference dynamics_of(const StructureModel& model, const Geometry& geometry) {
   const Case& given = model.run_case;
   if (!given.bulk_failure.active) return {geometry.body, geometry.tiles, model.moduli, model.threads};
-  return {geometry.body, geometry.tiles, model.moduli, rock_failure(given.rock, given.bulk_failure), model.threads};
+  return {geometry.body, geometry.tiles, model.moduli, rock_failure(given.rock, given.bulk_failure),
+          model.threads};
 }
 
 void require_finite(double kinetic_energy, double time) {
   if (!std::isfinite(kinetic_energy))
-    throw SolverError(fmt::format("the motion of the rock is no longer finite at {} s: lower dynamics.safety_factor", time));
+    throw SolverError(fmt::format(
+        "the motion of the rock is no longer finite at {} s: lower dynamics.safety_factor", time));
 }
 
 }  // namespace
@@ -40,7 +42,8 @@ StructureRun::StructureRun(const StructureModel& model, const Geometry& geometry
       joints_(geometry.mesh, geometry.joint_nodes) {}
 
 std::uint64_t StructureRun::advance(double begin, double end, StructureState& state) {
-  const auto steps = static_cast<std::uint64_t>(std::ceil((end - begin) / stable_step(model_, geometry_, state)));
+  const auto steps =
+      static_cast<std::uint64_t>(std::ceil((end - begin) / stable_step(model_, geometry_, state)));
   const JointNodes joint_nodes{dynamics_.joint_force(), geometry_.joint_nodes, geometry_.body.mass,
                                state.body.displacement, state.body.velocity};
   Step step{(end - begin) / static_cast<double>(steps), begin, state.mass_scaling.scale(),
@@ -49,10 +52,10 @@ std::uint64_t StructureRun::advance(double begin, double end, StructureState& st
     const double tau = static_cast<double>(k) / static_cast<double>(steps);
     step.end = begin + tau * (end - begin);
     const Clock::time_point start = Clock::now();
-    dynamics_.advance(state.body, step);                                        // Sect. 3.6, Eq. 8
+    dynamics_.advance(state.body, step);  // Sect. 3.6, Eq. 8
     const Clock::time_point middle = Clock::now();
-    joints_.advance(geometry_.mesh, joint_nodes,
-                    {step.size, step.mass_scale, step.damping, tau}, state.joints);  // Eqs. 11, 18-22
+    joints_.advance(geometry_.mesh, joint_nodes, {step.size, step.mass_scale, step.damping, tau},
+                    state.joints);  // Eqs. 11, 18-22
     loop_times_.elements += seconds_between(start, middle);
     loop_times_.joints += seconds_between(middle, Clock::now());
     note_progress("explicit steps");
@@ -73,8 +76,9 @@ void scale_masses(const StructureModel& model, const Geometry& geometry, double 
 double failure_work(const StructureModel& model, const Geometry& geometry, const StructureState& state) {
   const Case& given = model.run_case;
   if (!given.bulk_failure.active) return 0;
-  return failure_dissipation(geometry.mesh, rock_failure(given.rock, given.bulk_failure),
-                             damage_records(geometry.tiles, state.body.damage));
+  return state.failure_work_gone + failure_dissipation(geometry.mesh,
+                                                       rock_failure(given.rock, given.bulk_failure),
+                                                       damage_records(geometry.tiles, state.body.damage));
 }
 
 }  // namespace fissura::structure

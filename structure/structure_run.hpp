@@ -45,7 +45,8 @@ class StructureRun {
 void scale_masses(const StructureModel& model, const Geometry& geometry, double begin, double end,
                   StructureState& state);
 
-/// Work spent on damage and plastic flow of the elements there are, per unit thickness [J/m]; 0 without bulk failure.
+/// Work spent on damage and plastic flow so far, per unit thickness [J/m]: of the elements there are, and what insertions took out of
+/// others; 0 without bulk failure.
 double failure_work(const StructureModel& model, const Geometry& geometry, const StructureState& state);
 
 }  // namespace fissura::structure

@@ -13,7 +13,7 @@ namespace {
 
 enum class SavedGeometry : std::uint8_t { of_the_case, included };
 
-constexpr std::uint64_t format = 2;
+constexpr std::uint64_t format = 3;
 
 std::string text_of(const std::vector<Insertion>& insertions) {
   nlohmann::json list = nlohmann::json::array();
@@ -23,7 +23,8 @@ std::string text_of(const std::vector<Insertion>& insertions) {
 
 std::vector<Insertion> insertions_of(const std::string& text) {
   std::vector<Insertion> insertions;
-  for (const nlohmann::json& entry : nlohmann::json::parse(text)) insertions.push_back(insertion_from_json(entry));
+  for (const nlohmann::json& entry : nlohmann::json::parse(text))
+    insertions.push_back(insertion_from_json(entry));
   return insertions;
 }
 
@@ -65,14 +66,17 @@ std::vector<std::byte> save_snapshot(const Snapshot& snapshot, const Geometry& g
   bytes.put(damage_records(geometry.tiles, snapshot.state.body.damage));
   save_joints(snapshot.state.joints, bytes);
   bytes.put(snapshot.state.mass_scaling);
+  bytes.put(snapshot.state.failure_work_gone);
   return bytes.take();
 }
 
-Snapshot restore_snapshot(const std::vector<std::byte>& bytes, const StructureModel& model, Geometry& geometry) {
+Snapshot restore_snapshot(const std::vector<std::byte>& bytes, const StructureModel& model,
+                          Geometry& geometry) {
   ByteReader reader(bytes);
   std::uint64_t found_format = 0;
   reader.get(found_format);
-  if (found_format != format) throw Error(ExitCode::checkpoint_unusable, "the saved state has another format");
+  if (found_format != format)
+    throw Error(ExitCode::checkpoint_unusable, "the saved state has another format");
   double time = 0;
   std::uint64_t steps = 0;
   std::string insertions;
@@ -95,6 +99,7 @@ Snapshot restore_snapshot(const std::vector<std::byte>& bytes, const StructureMo
   reader.get(damage);
   restore_joints(reader, snapshot.state.joints);
   reader.get(snapshot.state.mass_scaling);
+  reader.get(snapshot.state.failure_work_gone);
   reader.end();
   require_same_mesh(found.mesh, snapshot.state);
   if (!damage.empty()) snapshot.state.body.damage = damage_from_records(found.tiles, damage);

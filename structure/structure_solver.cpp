@@ -26,9 +26,12 @@ void StructureSolver::join(const Assignment& assignment) {
   geometry_ = build_geometry(*model_);
   state_.emplace(initial_state(*model_, geometry_));
   run_ = std::make_unique<StructureRun>(*model_, geometry_);
+  if (model_->run_case.bulk_failure.active && model_->run_case.growth.tip == TipRule::damage)
+    failing_tips_.emplace(*model_);
   protect_tips();
   setup_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  log::info(fmt::format("{} elements, {} nodes", geometry_.mesh.elements.size(), geometry_.mesh.position.size()));
+  log::info(
+      fmt::format("{} elements, {} nodes", geometry_.mesh.elements.size(), geometry_.mesh.position.size()));
 }
 
 Insertion StructureSolver::first_topology() {
@@ -62,6 +65,7 @@ Message StructureSolver::advance(const Message& command) {
   time_ = end;
   steps_ += steps;
   scale_masses(*model_, geometry_, begin, end, *state_);
+  if (failing_tips_) failing_tips_->tend(geometry_, *state_);
 
   Message response(MessageType::response);
   describe_state(response);
@@ -69,6 +73,7 @@ Message StructureSolver::advance(const Message& command) {
   const double thickness = model_->run_case.domain.thickness;
   response.body["energy"]["kinetic"] = thickness * run_->kinetic_energy();
   response.body["energy"]["cohesive"] = thickness * cohesive_work(geometry_.mesh, state_->joints);
+  response.body["energy"]["failure"] = thickness * failure_work(*model_, geometry_, *state_);
   if (command.value<bool>("strain_energy"))
     response.body["energy"]["strain"] = strain_energy_of_body(*model_, geometry_, *state_);
   if (const std::optional<Insertion> proposal = propose_growth())
@@ -79,7 +84,9 @@ Message StructureSolver::advance(const Message& command) {
 std::string StructureSolver::insert(const Insertion& insertion) {
   if (growth_) {
     if (insertion != growth_->insertion)
-      throw ProtocolError(fmt::format("INSERT of revision {} is not the growth that the structure proposed", insertion.revision));
+      throw ProtocolError(fmt::format("INSERT of revision {} is not the growth that the structure proposed",
+                                      insertion.revision));
+    if (failing_tips_) failing_tips_->dry(geometry_);
     remeshing_ = grow(*growth_, *model_, geometry_, *state_);
     growth_.reset();
     rebuild_run();
@@ -102,10 +109,14 @@ Message StructureSolver::report(const Message&) {
 }
 
 std::vector<std::byte> StructureSolver::save() {
-  return save_snapshot({time_, steps_, insertions_, *state_}, geometry_);
+  if (failing_tips_) failing_tips_->dry(geometry_);
+  std::vector<std::byte> bytes = save_snapshot({time_, steps_, insertions_, *state_}, geometry_);
+  if (failing_tips_) failing_tips_->tend(geometry_, *state_);
+  return bytes;
 }
 
 void StructureSolver::restore(const std::vector<std::byte>& bytes) {
+  if (failing_tips_) failing_tips_->dry(geometry_);
   Snapshot snapshot = restore_snapshot(bytes, *model_, geometry_);
   time_ = snapshot.time;
   steps_ = snapshot.steps;
@@ -129,8 +140,10 @@ nlohmann::json StructureSolver::finish() {
 
 void StructureSolver::set_ramps_of(const Message& command) {
   const std::size_t nodes = geometry_.network.nodes().size();
-  const auto pressure_begin = command.numbers("pressure_begin", nodes), pressure_end = command.numbers("pressure_end", nodes);
-  const auto aperture_begin = command.numbers("aperture_begin", nodes), aperture_end = command.numbers("aperture_end", nodes);
+  const auto pressure_begin = command.numbers("pressure_begin", nodes),
+             pressure_end = command.numbers("pressure_end", nodes);
+  const auto aperture_begin = command.numbers("aperture_begin", nodes),
+             aperture_end = command.numbers("aperture_end", nodes);
   const auto stiffness = command.numbers("stiffness", nodes);
   std::vector<PressureRamp> ramps;
   for (std::size_t i = 0; i < nodes; ++i)
@@ -157,8 +170,9 @@ void StructureSolver::rebuild_run() {
 }
 
 void StructureSolver::protect_tips() {
-  const Case& run_case = model_->run_case;
-  if (run_case.bulk_failure.active && run_case.growth.path == PathRule::free && run_case.growth.tip == TipRule::insertion)
+  if (failing_tips_)
+    failing_tips_->tend(geometry_, *state_);
+  else if (model_->run_case.bulk_failure.active && model_->run_case.growth.path == PathRule::free)
     forbid_onset(geometry_.tiles, tip_surroundings(*model_, geometry_), state_->body.damage);
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/exchange/participant.hpp"
+#include "structure/fracture/failing_tips.hpp"
 #include "structure/fracture/growth.hpp"
 #include "structure/structure_run.hpp"
 
@@ -35,6 +36,7 @@ class StructureSolver : public Solver {
   std::optional<StructureState> state_;
   std::unique_ptr<StructureRun> run_;
   LoopTimes earlier_loops_;                      ///< of runs before the last change of the geometry
+  std::optional<FailingTips> failing_tips_;      ///< with TipRule::damage
   std::optional<GrowthPlan> growth_;             ///< proposed to the coupler, not yet carried out
   std::vector<RemeshRecord> remeshing_;          ///< of the last insertion, until it is acknowledged
   double time_ = 0;                              ///< of the last coupling [s]

@@ -44,6 +44,9 @@ struct StructureState {
   State body;
   Joints joints;
   MassScaling mass_scaling;  ///< changes at coupling times only
+  /// Work of failure that insertions took out of the elements and did not give to the cohesion of the faces; may be negative. With it the
+  /// work of failure and cohesion together goes on without a jump. Changes at coupling times only. [J/m]
+  double failure_work_gone = 0;
 };
 
 /// Meshes the case and builds everything that depends on the mesh. Throws InputError if it cannot be meshed.

@@ -71,15 +71,20 @@ void TileBuilder::fill_groups(Tile& tile) const {
       continue;
     }
     const ElementIndex element = tile.elements[place];
-    const InSituElement& in_situ = body_.in_situ[element];
     for (int corner = 0; corner < 3; ++corner)
       group.node[corner][lane] = local_[mesh_.elements[element][corner]];
-    group.stress[0][lane] = in_situ.xx;
-    group.stress[1][lane] = in_situ.yy;
-    group.stress[2][lane] = in_situ.xy;
-    group.pore_pressure[lane] = in_situ.pore_pressure;
-    tile.out_of_plane[place] = in_situ.zz;
+    set_in_situ(body_.in_situ[element], place, tile);
   }
+}
+
+void set_in_situ(const InSituElement& in_situ, std::size_t place, Tile& tile) {
+  ElementGroup& group = tile.groups[place / group_width];
+  const std::size_t lane = place % group_width;
+  group.stress[0][lane] = in_situ.xx;
+  group.stress[1][lane] = in_situ.yy;
+  group.stress[2][lane] = in_situ.xy;
+  group.pore_pressure[lane] = in_situ.pore_pressure;
+  tile.out_of_plane[place] = in_situ.zz;
 }
 
 bool is_held(const Body& body, NodeIndex node) {

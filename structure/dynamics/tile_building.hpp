@@ -28,6 +28,9 @@ class TileBuilder {
   std::vector<std::uint8_t> listed_;  // 1 while the node is in Tile::nodes, 0 between tiles
 };
 
+/// Sets the streamed in-situ state at a place of a tile.
+void set_in_situ(const InSituElement& in_situ, std::size_t place, Tile& tile);
+
 /// True if the node cannot move freely along some axis.
 bool is_held(const Body& body, NodeIndex node);
 

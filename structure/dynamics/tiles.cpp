@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "structure/dynamics/tile_building.hpp"
 
@@ -57,6 +58,15 @@ Tiles build_tiles_of(std::vector<std::vector<ElementIndex>> elements, const Mesh
   for (Tile& tile : tiles.tile) builder.build(tile);
   link_tiles(joint_nodes, tiles);
   return tiles;
+}
+
+void refresh_in_situ(const Body& body, const std::vector<ElementIndex>& elements, Tiles& tiles) {
+  std::set<std::uint32_t> touched;
+  for (const ElementIndex element : elements) touched.insert(tiles.tile_of_element[element]);
+  for (const std::uint32_t t : touched)
+    for (std::size_t place = 0; place < tiles.tile[t].elements.size(); ++place)
+      if (std::binary_search(elements.begin(), elements.end(), tiles.tile[t].elements[place]))
+        set_in_situ(body.in_situ[tiles.tile[t].elements[place]], place, tiles.tile[t]);
 }
 
 double longest_edge(const Tiles& tiles) {

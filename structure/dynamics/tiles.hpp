@@ -86,6 +86,10 @@ Tiles build_tiles_of(std::vector<std::vector<ElementIndex>> elements, const Mesh
 void update_tiles(const Mesh& mesh, const NodeElements& elements, const Body& body,
                   const std::vector<NodeIndex>& joint_nodes, const MeshChange& change, Tiles& tiles);
 
+/// After the in-situ state of these elements (ascending) changed in `body`: gives it to their tiles.
+/// Geometry, masses and forces are not looked at.
+void refresh_in_situ(const Body& body, const std::vector<ElementIndex>& elements, Tiles& tiles);
+
 /// Longest edge of an element [m].
 double longest_edge(const Tiles& tiles);
 

@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "structure/dynamics/damage_transfer.hpp"
+#include "structure/dynamics/energy.hpp"
 #include "structure/dynamics/untouched_hash.hpp"
 #include "structure/fracture/connected_elements.hpp"
+#include "structure/fracture/hand_over.hpp"
 #include "structure/fracture/state_transfer.hpp"
 
 namespace fissura::structure {
@@ -17,12 +19,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // A unit that is a part of an older one starts with all it knew; the others are fresh breaks of the rock.
-void extend_joints(const GrowthPlan& plan, const MeshInsertion& insertion, const Mesh& mesh, const Rock& rock, Joints& joints) {
+void extend_joints(const GrowthPlan& plan, const MeshInsertion& insertion, const Mesh& mesh, const Rock& rock,
+                   Joints& joints) {
   UnitIndex next = insertion.change.new_units.empty() ? 0 : insertion.change.new_units.front();
   for (const PatchPlan& patch : plan.patches)
     for (const PlannedUnit& planned : patch.units) {
       if (planned.same) continue;
-      joints.properties.push_back(planned.source ? joints.properties[*planned.source] : joint_properties(mesh, next, rock));
+      joints.properties.push_back(planned.source ? joints.properties[*planned.source]
+                                                 : joint_properties(mesh, next, rock));
       joints.state.push_back(planned.source ? joints.state[*planned.source] : JointState{});
       joints.ramp.push_back(planned.source ? joints.ramp[*planned.source] : PressureRamp{});
       joints.released.push_back(1);
@@ -32,7 +36,8 @@ void extend_joints(const GrowthPlan& plan, const MeshInsertion& insertion, const
 
 std::vector<ElementIndex> removed_elements(const GrowthPlan& plan) {
   std::vector<ElementIndex> removed;
-  for (const PatchPlan& patch : plan.patches) removed.insert(removed.end(), patch.removed.begin(), patch.removed.end());
+  for (const PatchPlan& patch : plan.patches)
+    removed.insert(removed.end(), patch.removed.begin(), patch.removed.end());
   std::sort(removed.begin(), removed.end());
   return removed;
 }
@@ -42,8 +47,8 @@ void sort_without_repeats(std::vector<std::uint32_t>& list) {
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-Touched what_goes(const GrowthPlan& plan) {
-  Touched touched{removed_elements(plan), {}};
+Touched what_goes(const GrowthPlan& plan, const std::vector<NodeIndex>& moved_nodes) {
+  Touched touched{removed_elements(plan), moved_nodes};
   for (const PatchPlan& patch : plan.patches) {
     for (const Rewiring& rewiring : patch.rewired) touched.elements.push_back(rewiring.element);
     touched.nodes.insert(touched.nodes.end(), patch.unused.begin(), patch.unused.end());
@@ -53,15 +58,33 @@ Touched what_goes(const GrowthPlan& plan) {
   return touched;
 }
 
-Touched what_came(const MeshChange& change) {
+Touched what_came(const MeshChange& change, const std::vector<NodeIndex>& moved_nodes) {
   Touched touched{change.made, change.new_nodes};
   touched.elements.insert(touched.elements.end(), change.rewired.begin(), change.rewired.end());
+  touched.nodes.insert(touched.nodes.end(), moved_nodes.begin(), moved_nodes.end());
   std::sort(touched.elements.begin(), touched.elements.end());
+  sort_without_repeats(touched.nodes);
   return touched;
 }
 
 std::string hash_of_the_rest(const Geometry& geometry, const StructureState& state, const Touched& touched) {
   return untouched_hash(geometry.mesh, geometry.body, state.body.displacement, state.body.velocity, touched);
+}
+
+// Elements that fail hand over to the faces where fractures form out of failed rock.
+std::optional<HandOver> hand_over_of(const GrowthPlan& plan, const StructureModel& model,
+                                     const Geometry& geometry, const StructureState& state) {
+  if (!forms_from_failed_rock(model.run_case)) return std::nullopt;
+  return HandOver(plan, model, geometry, state);
+}
+
+// On failure of the rock that exists and on the cohesion of the faces [J/m].
+double work_spent(const StructureModel& model, const Geometry& geometry, const StructureState& state) {
+  const Case& given = model.run_case;
+  if (!given.bulk_failure.active) return 0;
+  return failure_dissipation(geometry.mesh, rock_failure(given.rock, given.bulk_failure),
+                             damage_records(geometry.tiles, state.body.damage)) +
+         cohesive_work(geometry.mesh, state.joints);
 }
 
 }  // namespace
@@ -70,7 +93,8 @@ std::vector<ElementIndex> tip_surroundings(const StructureModel& model, const Ge
   const double radius = model.run_case.bulk_failure.tip_exclusion * model.run_case.mesh.tip_size;
   std::vector<ElementIndex> elements;
   for (const FractureTip& tip : fracture_tips(geometry.mesh)) {
-    const auto near = connected_elements(geometry.mesh, geometry.node_elements, tip.node, tip.position, radius);
+    const auto near =
+        connected_elements(geometry.mesh, geometry.node_elements, tip.node, tip.position, radius);
     elements.insert(elements.end(), near.begin(), near.end());
   }
   sort_without_repeats(elements);
@@ -84,8 +108,12 @@ std::vector<RemeshRecord> grow(const GrowthPlan& plan, const StructureModel& mod
   RemeshRecord common;
   common.stable_step_before = stable_step(model, geometry, state);
   const StateTransfer transfer(plan, model, geometry, state);
-  common.hash_before = hash_of_the_rest(geometry, state, what_goes(plan));
-  const DamageBefore damage = damage_before_change(geometry.mesh, geometry.tiles, state.body.damage, removed_elements(plan));
+  const std::optional<HandOver> hand_over = hand_over_of(plan, model, geometry, state);
+  const std::vector<NodeIndex> moved_nodes = hand_over ? hand_over->moved_nodes() : std::vector<NodeIndex>{};
+  const double spent_before = work_spent(model, geometry, state);
+  common.hash_before = hash_of_the_rest(geometry, state, what_goes(plan, moved_nodes));
+  const DamageBefore damage =
+      damage_before_change(geometry.mesh, geometry.tiles, state.body.damage, removed_elements(plan));
 
   const MeshInsertion insertion = insert_into_mesh(plan, geometry.mesh);
   follow(model, insertion.change, geometry);
@@ -93,11 +121,17 @@ std::vector<RemeshRecord> grow(const GrowthPlan& plan, const StructureModel& mod
   const TransferBalance balance = transfer.carry_over(insertion, model, geometry, state);
   if (model.run_case.bulk_failure.active) {
     const RockFailure law = rock_failure(model.run_case.rock, model.run_case.bulk_failure);
-    state.body.damage = damage_from_records(geometry.tiles, carry_damage(damage, insertion.change, geometry.mesh, law));
+    std::vector<ElementDamage> records = carry_damage(damage, insertion.change, geometry.mesh, law);
+    if (hand_over)
+      hand_over->carry_out(insertion, model, geometry, std::move(records), state);
+    else
+      state.body.damage = damage_from_records(geometry.tiles, records);
+    state.failure_work_gone += spent_before - work_spent(model, geometry, state);
   }
-  common.hash_after = hash_of_the_rest(geometry, state, what_came(insertion.change));
+  common.hash_after = hash_of_the_rest(geometry, state, what_came(insertion.change, moved_nodes));
 
-  common.untouched = insertion.change.elements_before - insertion.change.removed.size() - insertion.change.rewired.size();
+  common.untouched =
+      insertion.change.elements_before - insertion.change.removed.size() - insertion.change.rewired.size();
   common.stable_step_after = stable_step(model, geometry, state);
   common.strain_energy_before = thickness * transfer.before().strain_energy;
   common.strain_energy_after = thickness * balance.strain_energy;

@@ -9,9 +9,12 @@
 
 #include "common/log.hpp"
 #include "structure/dynamics/in_situ.hpp"
+#include "structure/fracture/failure_path.hpp"
+#include "structure/fracture/nucleation.hpp"
 #include "structure/fracture/patch_selection.hpp"
 #include "structure/fracture/tip_stress.hpp"
 #include "structure/joints/network_topology.hpp"
+#include "structure/mesh/segment_tree.hpp"
 
 namespace fissura::structure {
 
@@ -25,32 +28,46 @@ struct PatchAttempt {
   double radius = 0;
   CoarseElements coarse_elements = CoarseElements::refined;
 };
-constexpr std::array patch_attempts{PatchAttempt{2.2, CoarseElements::refined}, PatchAttempt{2.97, CoarseElements::refined},
-                                    PatchAttempt{2.2, CoarseElements::left}, PatchAttempt{2.97, CoarseElements::left},
-                                    PatchAttempt{4.0, CoarseElements::left}};
-constexpr double least_altitude = 0.4;  // about half of what the first mesh has at h, so that the stable step does not fall more
+constexpr std::array patch_attempts{
+    PatchAttempt{2.2, CoarseElements::refined}, PatchAttempt{2.97, CoarseElements::refined},
+    PatchAttempt{2.2, CoarseElements::left}, PatchAttempt{2.97, CoarseElements::left},
+    PatchAttempt{4.0, CoarseElements::left}};
+constexpr double least_altitude =
+    0.4;  // about half of what the first mesh has at h, so that the stable step does not fall more
+
+double deviation_from_chord(const std::vector<Point>& points) {
+  double greatest = 0;
+  for (const Point& point : points)
+    greatest = std::max(greatest, distance_to_segment(point, points.front(), points.back()));
+  return greatest;
+}
 
 class GrowthPlanner {
  public:
   GrowthPlanner(const StructureModel& model, const Geometry& geometry, const StructureState& state)
-      : model_(model), geometry_(geometry), state_(state), controls_(model.run_case.mesh) {}
+      : model_(model), geometry_(geometry), state_(state), controls_(model.run_case.mesh) {
+    if (forms_from_failed_rock(model.run_case)) map_.emplace(model, geometry, state);
+  }
 
   std::optional<GrowthPlan> plan(double time) {
     GrowthPlan plan;
     Mesh fractures = fractures_of(geometry_.mesh);
     std::vector<VertexIndex> released;
-    for (const FractureTip& tip : fracture_tips(geometry_.mesh)) {
-      if (!fails(tip)) continue;
-      std::optional<PatchPlan> patch = plan_segment(tip, fractures, plan);
-      if (!patch) continue;
-      fractures.vertices.insert(fractures.vertices.end(), patch->new_vertices.begin(), patch->new_vertices.end());
+    const auto add = [&](std::optional<PatchPlan> patch) {
+      if (!patch) return;
+      fractures.vertices.insert(fractures.vertices.end(), patch->new_vertices.begin(),
+                                patch->new_vertices.end());
       fractures.edges.insert(fractures.edges.end(), patch->new_edges.begin(), patch->new_edges.end());
       fractures.lines.resize(geometry_.mesh.lines.size());
       fractures.lines.insert(fractures.lines.end(), plan.new_lines.begin(), plan.new_lines.end());
       for (const VertexIndex vertex : patch->split)
         if (!geometry_.network.contains(vertex)) released.push_back(vertex);
       plan.patches.push_back(std::move(*patch));
-    }
+    };
+    for (const FractureTip& tip : fracture_tips(geometry_.mesh))
+      if (const auto ends = next_ends(tip)) add(plan_growth_of(tip, *ends, fractures, plan));
+    if (model_.run_case.growth.nucleation)
+      for (const Nucleus& nucleus : nuclei(now_, *map_)) add(plan_nucleus(nucleus, fractures, plan));
     if (plan.patches.empty()) return std::nullopt;
     std::sort(released.begin(), released.end());
     plan.insertion = connect(fractures, geometry_.network, released, time);
@@ -69,44 +86,75 @@ class GrowthPlanner {
   [[nodiscard]] InPlane<double> average(const FractureTip& tip, double radius, double width,
                                         HalfDisc::Weighting weighting) const {
     const double h = controls_.tip_size;
-    return average_stress(geometry_.mesh, geometry_.node_elements, geometry_.body, model_.moduli, state_.body.displacement,
+    return average_stress(geometry_.mesh, geometry_.node_elements, geometry_.body, model_.moduli,
+                          state_.body.displacement,
                           {tip.position, tip.node, tip.direction, radius * h, width * h, weighting});
   }
 
   [[nodiscard]] bool fails(const FractureTip& tip) const {
     const Rock& rock = model_.run_case.rock;
-    const double strength =
-        tip_strength(rock.tensile_strength, rock.fracture_energy, rock.plane_strain_modulus(), controls_.tip_size);
+    const double strength = tip_strength(rock.tensile_strength, rock.fracture_energy,
+                                         rock.plane_strain_modulus(), controls_.tip_size);
     const double pressure = std::max(adjacent_pressure(geometry_.mesh, state_.joints, tip),
                                      in_situ_state(model_.run_case, tip.position).pore_pressure);
-    const Principal stress = principal(average(tip, trigger_radius, trigger_width, HalfDisc::Weighting::near));
+    const Principal stress =
+        principal(average(tip, trigger_radius, trigger_width, HalfDisc::Weighting::near));
+    if (getenv("DBG") && stress.major + pressure >= model_.run_case.growth.trigger * strength) fprintf(stderr, "tip %g %g s1 %g p %g adj %g str %g held %g closed %d opening %g p %g\n", tip.position[0], tip.position[1], stress.major, pressure, adjacent_pressure(geometry_.mesh, state_.joints, tip), strength, state_.joints.state[geometry_.mesh.vertices[tip.previous].units.front()].held_normal, state_.joints.state[geometry_.mesh.vertices[tip.previous].units.front()].closed, state_.joints.state[geometry_.mesh.vertices[tip.previous].units.front()].opening, state_.joints.state[geometry_.mesh.vertices[tip.previous].units.front()].pressure);
     return stress.major + pressure >= model_.run_case.growth.trigger * strength;
   }
 
-  std::optional<PatchPlan> plan_segment(const FractureTip& tip, const Mesh& fractures, GrowthPlan& plan) {
+  [[nodiscard]] std::optional<std::vector<SegmentEnd>> next_ends(const FractureTip& tip) const {
     const Growth& growth = model_.run_case.growth;
+    if (growth.tip == TipRule::damage) return failure_path(now_, *map_, tip);
+    if (!fails(tip)) return std::nullopt;
     const double h = controls_.tip_size;
-    const auto direction = growth_direction(average(tip, direction_radius, direction_width, HalfDisc::Weighting::ahead),
-                                            tip.direction, growth.turn_limit);
-    const NextSegment segment = next_segment(geometry_.mesh, model_.run_case.domain, tip, direction, growth.segment_length * h, h);
+    const auto direction =
+        growth_direction(average(tip, direction_radius, direction_width, HalfDisc::Weighting::ahead),
+                         tip.direction, growth.turn_limit);
+    const NextSegment segment =
+        next_segment(geometry_.mesh, model_.run_case.domain, tip, direction, growth.segment_length * h, h);
     if (!segment.end) return std::nullopt;
-    const std::vector<Point> line{tip.position, segment.end->position};
+    return std::vector{*segment.end};
+  }
+
+  std::optional<PatchPlan> plan_growth_of(const FractureTip& tip, const std::vector<SegmentEnd>& ends,
+                                          const Mesh& fractures, GrowthPlan& plan) {
+    std::vector<LineVertex> line{{tip.position, tip.vertex}};
+    for (const SegmentEnd& end : ends)
+      line.push_back(
+          {end.position, end.kind == SegmentEnd::Kind::fracture ? std::optional(end.vertex) : std::nullopt});
+    return plan_line(
+        line, tip.node, [&] { return line_of(tip, plan); }, fractures);
+  }
+
+  std::optional<PatchPlan> plan_nucleus(const Nucleus& nucleus, const Mesh& fractures, GrowthPlan& plan) {
+    std::vector<LineVertex> line;
+    for (const Point& point : nucleus.line) line.push_back({point, std::nullopt});
+    return plan_line(
+        line, nucleus.node, [&] { return new_line(plan); }, fractures);
+  }
+
+  template <class LineIndex>
+  std::optional<PatchPlan> plan_line(const std::vector<LineVertex>& line, NodeIndex node,
+                                     const LineIndex& line_index, const Mesh& fractures) {
+    const double h = controls_.tip_size;
+    std::vector<Point> points;
+    for (const LineVertex& vertex : line) points.push_back(vertex.position);
+    const double bend = deviation_from_chord(points);
     for (const PatchAttempt& attempt : patch_attempts) {
-      const PatchChoice choice = choose_patch(geometry_.mesh, geometry_.node_elements, controls_,
-                                              {tip.node, line[0], line[1], attempt.radius * h}, attempt.coarse_elements);
+      const PatchChoice choice = choose_patch(
+          geometry_.mesh, geometry_.node_elements, controls_,
+          {node, points.front(), points.back(), attempt.radius * h + bend}, attempt.coarse_elements);
       if (touches_taken(choice.elements)) return std::nullopt;
       const PatchOutline edge = outline(geometry_.mesh, choice.elements, fracture_nodes(geometry_.mesh));
-      const auto mesh = mesh_patch(edge, line, choice.field, least_altitude * h);
+      const auto mesh = mesh_patch(edge, points, choice.field, least_altitude * h);
       if (!mesh) continue;
       take(choice.elements);
-      const LineVertex end{segment.end->position, segment.end->kind == SegmentEnd::Kind::fracture
-                                                      ? std::optional(segment.end->vertex)
-                                                      : std::nullopt};
-      return plan_patch({geometry_.mesh, geometry_.node_elements, fractures.vertices.size(), line_of(tip, plan)},
-                        {{tip.position, tip.vertex}, end}, choice.elements, edge, *mesh);
+      return plan_patch({geometry_.mesh, geometry_.node_elements, fractures.vertices.size(), line_index()},
+                        line, choice.elements, edge, *mesh);
     }
-    log::warn(fmt::format("no good mesh for a fracture segment from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m: it waits",
-                             line[0][0], line[0][1], line[1][0], line[1][1]));
+    log::warn(fmt::format("no good mesh for a fracture from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m: it waits",
+                          points.front()[0], points.front()[1], points.back()[0], points.back()[1]));
     return std::nullopt;
   }
 
@@ -133,26 +181,46 @@ class GrowthPlanner {
       if (lines[k].name == name) return k;
     for (std::uint32_t k = 0; k < plan.new_lines.size(); ++k)
       if (plan.new_lines[k].name == name) return static_cast<std::uint32_t>(lines.size() + k);
+    return add_line(name, plan);
+  }
+
+  std::uint32_t new_line(GrowthPlan& plan) {
+    const auto& lines = geometry_.mesh.lines;
+    const auto nucleated = [](const FractureLine& line) { return line.name.starts_with("nucleated "); };
+    const auto count = std::count_if(lines.begin(), lines.end(), nucleated) +
+                       std::count_if(plan.new_lines.begin(), plan.new_lines.end(), nucleated);
+    return add_line(fmt::format("nucleated {}", count + 1), plan);
+  }
+
+  std::uint32_t add_line(const std::string& name, GrowthPlan& plan) {
     const Rock& rock = model_.run_case.rock;
-    plan.new_lines.push_back({name, FractureKind::intact, {}, rock.tensile_strength, rock.fracture_energy,
-                              rock.friction_coefficient, 0});
-    return static_cast<std::uint32_t>(lines.size() + plan.new_lines.size() - 1);
+    plan.new_lines.push_back({name,
+                              FractureKind::intact,
+                              {},
+                              rock.tensile_strength,
+                              rock.fracture_energy,
+                              rock.friction_coefficient,
+                              0});
+    return static_cast<std::uint32_t>(geometry_.mesh.lines.size() + plan.new_lines.size() - 1);
   }
 
   const StructureModel& model_;
   const Geometry& geometry_;
   const StructureState& state_;
   const MeshControls& controls_;
+  RockNow now_{model_, geometry_, state_};
+  std::optional<FailureMap> map_;  // where fractures form out of failed rock
   std::unordered_set<NodeIndex> taken_;
 };
 
 }  // namespace
 
-std::optional<GrowthPlan> plan_growth(const StructureModel& model, const Geometry& geometry, const StructureState& state,
-                                      double time) {
+std::optional<GrowthPlan> plan_growth(const StructureModel& model, const Geometry& geometry,
+                                      const StructureState& state, double time) {
   const auto start = std::chrono::steady_clock::now();
   std::optional<GrowthPlan> plan = GrowthPlanner(model, geometry, state).plan(time);
-  if (plan) plan->wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (plan)
+    plan->wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return plan;
 }
 

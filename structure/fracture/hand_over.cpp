@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structure/fracture/hand_over.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "common/log.hpp"
+#include "structure/dynamics/triangle.hpp"
+#include "structure/fracture/patch_equilibrium.hpp"
+#include "structure/mesh/segment_tree.hpp"
+
+namespace fissura::structure {
+
+namespace {
+
+// In units of tip_size.
+constexpr double looked_at_around_vertex = 0.75;
+constexpr double healed_aside = 1.2;
+constexpr double not_healed_before_tip = 0.75;
+
+struct Station {
+  double distance = std::numeric_limits<double>::infinity();  // from the line [m]
+  double along = 0;                                           // from its begin [m]
+};
+
+Station station(const Point& at, const std::vector<Point>& line) {
+  Station nearest;
+  double begin = 0;
+  for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+    const double dx = line[k + 1][0] - line[k][0], dy = line[k + 1][1] - line[k][1],
+                 length = std::hypot(dx, dy);
+    const double distance = distance_to_segment(at, line[k], line[k + 1]);
+    if (distance < nearest.distance) {
+      const double share = ((at[0] - line[k][0]) * dx + (at[1] - line[k][1]) * dy) / (length * length);
+      nearest = {distance, begin + std::clamp(share, 0.0, 1.0) * length};
+    }
+    begin += length;
+  }
+  return nearest;
+}
+
+double length_of(const std::vector<Point>& line) {
+  double length = 0;
+  for (std::size_t k = 0; k + 1 < line.size(); ++k)
+    length += std::hypot(line[k + 1][0] - line[k][0], line[k + 1][1] - line[k][1]);
+  return length;
+}
+
+bool contains(const std::vector<VertexIndex>& list, VertexIndex vertex) {
+  return std::find(list.begin(), list.end(), vertex) != list.end();
+}
+
+}  // namespace
+
+HandOver::HandOver(const GrowthPlan& plan, const StructureModel& model, const Geometry& geometry,
+                   const StructureState& state)
+    : plan_(plan) {
+  const Mesh& mesh = geometry.mesh;
+  const double h = model.run_case.mesh.tip_size;
+  const FailureMap map(model, geometry, state);
+  std::vector<FractureVertex> vertices = mesh.vertices;
+  for (const PatchPlan& patch : plan.patches) {
+    vertices.insert(vertices.end(), patch.new_vertices.begin(), patch.new_vertices.end());
+    Line& line = lines_.emplace_back();
+    line.points.push_back(vertices[patch.new_edges.front().begin].position);
+    for (const FractureEdge& edge : patch.new_edges) line.points.push_back(vertices[edge.end].position);
+    line.begins_at_tip = !contains(patch.split, patch.new_edges.front().begin);
+    line.ends_at_tip = !contains(patch.split, patch.new_edges.back().end);
+    for (const VertexIndex vertex : patch.split)
+      line.lost.emplace_back(vertex, map.greatest_near(mesh, patch.removed, vertices[vertex].position,
+                                                       looked_at_around_vertex * h));
+    const std::vector<NodeIndex> inner = inner_nodes(mesh, geometry.node_elements, patch.removed);
+    moved_nodes_.insert(moved_nodes_.end(), inner.begin(), inner.end());
+  }
+  std::sort(moved_nodes_.begin(), moved_nodes_.end());
+}
+
+void HandOver::carry_out(const MeshInsertion& insertion, const StructureModel& model,
+                         const Geometry& geometry, std::vector<ElementDamage> records,
+                         StructureState& state) const {
+  const Mesh& mesh = geometry.mesh;
+  const double h = model.run_case.mesh.tip_size;
+  const auto& made = insertion.change.made;
+  std::erase_if(records, [&](const ElementDamage& record) {
+    if (!std::binary_search(made.begin(), made.end(), record.element)) return false;
+    return std::any_of(lines_.begin(), lines_.end(), [&](const Line& line) {
+      const Station at = station(centroid(mesh, record.element), line.points);
+      const double first = line.begins_at_tip ? not_healed_before_tip * h : 0,
+                   last = length_of(line.points) - (line.ends_at_tip ? not_healed_before_tip * h : 0);
+      return at.distance < healed_aside * h && at.along >= first && at.along <= last;
+    });
+  });
+
+  const auto& fresh = insertion.change.new_units;
+  for (const Line& line : lines_)
+    for (const auto& [vertex, lost] : line.lost)
+      for (const UnitIndex unit : mesh.vertices[vertex].units)
+        if (std::binary_search(fresh.begin(), fresh.end(), unit)) {
+          double& separation = state.joints.state[unit].greatest_separation;
+          separation = std::max(separation, lost * state.joints.properties[unit].cohesive.critical_opening());
+        }
+
+  const PatchEquilibriumReport report =
+      equilibrate(model, geometry, made, records, state.joints, state.body.displacement);
+  if (!report.converged)
+    log::warn(fmt::format(
+        "a failed band is handed over to the faces of a fracture out of equilibrium: {:.2g} of the "
+        "displacement is left after {} iterations",
+        report.residual, report.iterations));
+  const auto& u = state.body.displacement;
+  for (const UnitIndex index : fresh) {
+    const ContactUnit& unit = mesh.units[index];
+    JointState& joint = state.joints.state[index];
+    const double length = std::hypot(unit.face[0], unit.face[1]), nx = unit.face[0] / length,
+                 ny = unit.face[1] / length;
+    const double dx = u[2 * std::size_t{unit.plus}] - u[2 * std::size_t{unit.minus}],
+                 dy = u[2 * std::size_t{unit.plus} + 1] - u[2 * std::size_t{unit.minus} + 1];
+    joint.opening = dx * nx + dy * ny;
+    joint.sliding = dx * ny - dy * nx;
+    joint.greatest_separation =
+        std::max(joint.greatest_separation, std::hypot(std::max(joint.opening, 0.0), joint.sliding));
+    joint.closed = joint.opening <= 0;
+  }
+  state.body.damage = damage_from_records(geometry.tiles, records);
+}
+
+}  // namespace fissura::structure
