@@ -34,6 +34,17 @@ std::vector<KgdState> pumped(const Treatment& treatment, const std::vector<doubl
   return rows;
 }
 
+/// The rate is reached linearly in `ramp`: as much is pumped as if it had begun at once half a ramp later.
+std::vector<KgdState> pumped_after_a_ramp(const Treatment& treatment, double ramp,
+                                          const std::vector<double>& times) {
+  std::vector<double> later;
+  for (const double time : times)
+    if (time > ramp) later.push_back(time - ramp / 2);
+  std::vector<KgdState> rows = pumped(treatment, later);
+  for (KgdState& row : rows) row.time += ramp / 2;
+  return rows;
+}
+
 std::vector<KgdState> pumped_then_shut_in(const Treatment& treatment, double shut_in_time,
                                           const std::vector<double>& times_after) {
   std::vector<KgdState> rows = pumped(treatment, evenly(0.1, shut_in_time));
@@ -63,6 +74,10 @@ using Table = std::function<std::vector<KgdState>()>;
 const std::map<std::string, Table>& tables() {
   static const Treatment mixed{1.67e-3, 1e-3, 0};
   static const std::map<std::string, Table> all{
+      {"case_1_intact_rock",
+       [] {
+         return pumped_after_a_ramp({1.67e-3, 5e-4, 1e-6}, 30, evenly(5, 1000));
+       }},
       {"kgd_leak_off",
        [] {
          return pumped({1.67e-3, 1e-3, 5e-5}, evenly(0.25, 20));
