@@ -241,6 +241,16 @@ void Hdf5File::write_attribute(const std::string& object, const std::string& att
   handle_->write_attribute(id.id(), attribute, H5T_STD_U64LE, &value);
 }
 
+bool Hdf5File::has(const std::string& dataset) const {
+  // The library takes a missing group on the way for an error.
+  for (std::size_t end = dataset.find('/', 1);; end = dataset.find('/', end + 1)) {
+    const htri_t found = H5Lexists(handle_->file.id(), dataset.substr(0, end).c_str(), H5P_DEFAULT);
+    handle_->check(found, "look for", dataset);
+    if (found == 0) return false;
+    if (end == std::string::npos) return true;
+  }
+}
+
 Array Hdf5File::read(const std::string& dataset) const {
   Identifier id = handle_->open_dataset(dataset);
   Array array = handle_->describe(dataset, id.id());

@@ -35,6 +35,8 @@ class Hdf5File {
   void write_attribute(const std::string& object, const std::string& attribute, double value);
   void write_attribute(const std::string& object, const std::string& attribute, std::uint64_t value);
 
+  /// Whether there is such a dataset.
+  [[nodiscard]] bool has(const std::string& dataset) const;
   /// The dataset as written; Array::name is `dataset`.
   [[nodiscard]] Array read(const std::string& dataset) const;
   /// As read(), without the values.

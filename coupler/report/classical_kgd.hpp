@@ -17,8 +17,8 @@ struct ClassicalKgd {
   double viscosity = 0;       ///< mu [Pa s]
   double wing_rate = 0;       ///< q [m2/s], half of the injected one
 
-  /// The rate is constant from `begin` to `end`; what was injected before took `advance` less time at that
-  /// rate. [s]
+  /// The rate is constant from `begin` to `end`; the volume injected by the time t is that of the constant
+  /// rate over t - `advance`. [s]
   double begin = 0, end = 0, advance = 0;
 
   [[nodiscard]] double half_length(double time) const;         ///< [m], `time` [s] > 0 at the full rate

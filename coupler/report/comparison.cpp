@@ -8,6 +8,7 @@
 #include "common/errors.hpp"
 #include "coupler/report/classical_kgd.hpp"
 #include "coupler/verdict/reference_table.hpp"
+#include "coupler/verdict/verdict.hpp"
 
 namespace fissura::coupler {
 
@@ -38,7 +39,8 @@ json comparison(const fs::path& run_directory, double end_time) {
   std::string remark;
   try {
     const fs::path file = expectations_file(run_directory / "input");
-    const Expectations expectations = file.empty() ? Expectations{} : read_expectations(file, end_time, {});
+    const Expectations expectations =
+        file.empty() ? Expectations{} : read_expectations(file, end_time, judgeable_columns());
     for (const ExpectedQuantity& quantity : expectations.quantities) {
       if (quantity.measure == Measure::mean_relative_error)
         curves[quantity.name] = curve(ReferenceTable(quantity.reference).series(quantity.name));

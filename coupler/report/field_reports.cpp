@@ -56,6 +56,11 @@ FieldReports::FieldReports(const std::filesystem::path& run_directory) : folder_
   }
 }
 
+bool FieldReports::has(const FieldReport& report, const std::string& array) {
+  return opened(segment_with(segment_of_report_, report.number, "report"))
+      .has(fmt::format("/reports/{:06}/{}", report.number, array));
+}
+
 std::vector<double> FieldReports::of_report(const FieldReport& report, const std::string& array) {
   return read(segment_with(segment_of_report_, report.number, "report"),
               fmt::format("/reports/{:06}/{}", report.number, array));

@@ -29,6 +29,8 @@ class FieldReports {
   /// In time order.
   [[nodiscard]] const std::vector<FieldReport>& all() const { return reports_; }
 
+  /// Whether the participants of this run gave such an array, e.g. "network/aperture".
+  bool has(const FieldReport& report, const std::string& array);
   /// Values of an array of report, network or mesh, row-major, of any number type.
   std::vector<double> of_report(const FieldReport& report, const std::string& array);
   std::vector<double> of_network(std::uint64_t revision, const std::string& array);

@@ -64,10 +64,12 @@ json fracture_map(FieldReports& reports, std::size_t most_reports) {
     const FieldReport& report = reports.all()[index];
     const std::vector<std::size_t> numbers = pool.add(reports, report.revision, shown.size());
     json entry{{"time", report.time}, {"revision", report.revision}};
-    for (const char* field : {"aperture", "pressure"})
-      entry[field] = numbers.empty() ? json::array()
-                                     : by_node(reports.of_report(report, std::string("network/") + field),
-                                               numbers, pool.nodes());
+    for (const char* field : {"aperture", "pressure"}) {
+      const std::string array = std::string("network/") + field;
+      const bool is_there = !numbers.empty() && reports.has(report, array);
+      entry[field] =
+          is_there ? by_node(reports.of_report(report, array), numbers, pool.nodes()) : json::array();
+    }
     shown.push_back(std::move(entry));
   }
   return {{"nodes", pool.node_list()}, {"segments", pool.segment_list()}, {"reports", shown}};

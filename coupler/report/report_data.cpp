@@ -84,6 +84,8 @@ json in_situ_axes(const json& run_case) {
 json stress_of_last_report(FieldReports& reports, const json& run_case) {
   if (reports.all().empty()) return nullptr;
   const FieldReport& last = reports.all().back();
+  for (const char* component : {"xx", "yy", "xy"})
+    if (!reports.has(last, std::string("structure/effective_stress_") + component)) return nullptr;
   const double width = run_case.at("domain").at("width"), height = run_case.at("domain").at("height");
   const View domain{"whole domain", -width / 2, width / 2, -height / 2, height / 2};
   return stress_crosses(reports, last, views_of(reports.of_network(last.revision, "position"), domain),

@@ -8,14 +8,16 @@ namespace fissura::coupler {
 
 /// Everything the page shows, from the files of a run directory (docs/results.md) alone. The run may have
 /// ended, failed, been killed, or still be going on: what is on disk and whole is shown.
-///   run, summary, case   run.json, summary.json (null if the run has not ended), effective_case.json
-///   history, ledger      {"rows": lines of the file, "columns": {name: values as in the file}}, thinned
-///   alike if the run is long remeshing            the same of remeshing.csv; null if the mesh never changed
-///   columns              columns.json
-///   comparison, classical, map, stress   see comparison.hpp, fracture_map.hpp, stress_crosses.hpp; stress is
-///   null without field reports in_situ              total principal stresses at the origin, compression
-///   positive [Pa]: "greatest", "least", and the "angle" of the
-///                        greatest, counter-clockwise from x [rad]
+///   run, case       run.json, effective_case.json
+///   summary         summary.json; null if the run has not ended
+///   columns         columns.json
+///   history, ledger {"rows": lines of the file, "columns": {name: values as in the file}}, thinned alike if
+///                   the run is long
+///   remeshing       the same of remeshing.csv; null if the mesh never changed
+///   comparison      comparison.hpp; "classical" there, too
+///   map, stress     fracture_map.hpp, stress_crosses.hpp; stress is null where no report has it
+///   in_situ         total principal stresses at the origin, compression positive [Pa]: "greatest", "least",
+///                   and the "angle" of the greatest, counter-clockwise from x [rad]
 /// Numbers that are not finite are null. Throws Error(precondition) if it is not a run directory, InputError
 /// or StorageError if a file is damaged.
 nlohmann::json report_data(const std::filesystem::path& run_directory);

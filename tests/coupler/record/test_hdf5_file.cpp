@@ -43,6 +43,9 @@ TEST_CASE("arrays come back from HDF5 with every bit, shape, type and unit", "[c
     CHECK(read.dtype == array.dtype);
     CHECK(read.unit == array.unit);
   }
+  CHECK(reread.has("/deep/group/pressure"));
+  CHECK_FALSE(reread.has("/deep/group/aperture"));
+  CHECK_FALSE(reread.has("/no/such/group"));
   CHECK(reread.read_number("/deep/group", "time") == 0.1);
   CHECK(reread.read_number("/deep/group", "revision") == 7);
 }

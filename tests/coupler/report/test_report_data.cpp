@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "common/errors.hpp"
+#include "coupler/report/csv_columns.hpp"
+#include "coupler/report/report_data.hpp"
+#include "tests/coupler/record/sample_run.hpp"
+#include "tests/coupler/report/small_run.hpp"
+
+using namespace fissura;
+using namespace fissura::coupler;
+
+TEST_CASE("the series of a report are the numbers of history.csv and ledger.csv", "[coupler][report]") {
+  const sample::TemporaryDirectory folder;
+  small_run::write(folder.path() / "run", small_run::Comparison::none);
+  const nlohmann::json data = nlohmann::json::parse(report_data(folder.path() / "run").dump());
+  for (const char* name : {"history", "ledger"}) {
+    const CsvColumns file(folder.path() / "run" / (std::string(name) + ".csv"));
+    CHECK(data[name]["rows"] == file.rows());
+    for (const std::string& column : file.names()) {
+      INFO(column);
+      CHECK(data[name]["columns"][column].get<std::vector<double>>() == file.numbers(column));
+    }
+  }
+}
+
+TEST_CASE("the map holds every node once and the values of each report", "[coupler][report]") {
+  const sample::TemporaryDirectory folder;
+  small_run::write(folder.path() / "run", small_run::Comparison::none);
+  const nlohmann::json map = report_data(folder.path() / "run")["map"];
+  CHECK(map["nodes"]["x"] == nlohmann::json({-1.0, 0.0, 1.0, 2.0}));
+  CHECK(map["segments"] == nlohmann::json({{0, 1, 0}, {1, 2, 0}, {2, 3, 1}}));
+  REQUIRE(map["reports"].size() == 2);
+  CHECK(map["reports"][0]["aperture"] == nlohmann::json({1e-4, 2e-4, 3e-4}));
+  CHECK(map["reports"][1]["aperture"] == nlohmann::json({1e-4, 2e-4, 3e-4, 4e-4}));
+  CHECK(map["reports"][1]["pressure"][3] == 4e6);
+  CHECK(map["reports"][1]["time"] == 1.0);
+}
+
+TEST_CASE("stress and in-situ axes show where the rock is pressed most", "[coupler][report]") {
+  const sample::TemporaryDirectory folder;
+  small_run::write(folder.path() / "run", small_run::Comparison::none);
+  const nlohmann::json data = report_data(folder.path() / "run");
+  CHECK(data["in_situ"]["greatest"] == 15e6);
+  CHECK(data["in_situ"]["least"] == 10e6);
+  CHECK(std::abs(data["in_situ"]["angle"].get<double>()) < 1e-12);
+  const nlohmann::json domain = data["stress"]["views"].back();
+  CHECK(domain["x"].size() == 2);
+  CHECK(domain["greatest"] == nlohmann::json({-15e6, -15e6}));
+  CHECK(data["stress"]["time"] == 1.0);
+}
+
+TEST_CASE("the reference of the case is read from the run's own inputs", "[coupler][report]") {
+  const sample::TemporaryDirectory folder;
+  small_run::write(folder.path() / "run", small_run::Comparison::reference);
+  const nlohmann::json comparison = report_data(folder.path() / "run")["comparison"];
+  CHECK(comparison["remark"] == "");
+  CHECK(comparison["curves"]["half_length"]["value"] == nlohmann::json({5.25, 6.5}));
+  REQUIRE(comparison["points"].size() == 1);
+  CHECK(comparison["points"][0]["value"] == 2e-3);
+}
+
+TEST_CASE("a run that is going on, or was killed, is shown as far as it went", "[coupler][report]") {
+  const sample::TemporaryDirectory folder;
+  const auto run = folder.path() / "run";
+  small_run::write(run, small_run::Comparison::none);
+  std::ofstream(run / "history.csv", std::ios::app) << "3,1,1.5,0.";
+  std::ofstream(run / "segments" / "index.jsonl", std::ios::app) << "{\"file\":\"00";
+  std::ofstream(run / "segments" / "000003.h5.part") << "half a file";
+  nlohmann::json data = report_data(run);
+  CHECK(data["summary"].is_null());
+  CHECK(data["history"]["rows"] == 2);
+  CHECK(data["map"]["reports"].size() == 2);
+
+  SECTION("before the first interval and the first report") {
+    std::filesystem::remove_all(run / "segments");
+    const std::string header = sample::lines(run / "history.csv").front();
+    std::ofstream(run / "history.csv") << header << "\n";
+    data = report_data(run);
+    CHECK(data["history"]["rows"] == 0);
+    CHECK(data["stress"].is_null());
+    CHECK(data["map"]["reports"].empty());
+  }
+}
+
+TEST_CASE("the remesh ledger is taken as it stands", "[coupler][report]") {
+  const sample::TemporaryDirectory folder;
+  small_run::write(folder.path() / "run", small_run::Comparison::none);
+  CHECK(report_data(folder.path() / "run")["remeshing"].is_null());
+  std::ofstream(folder.path() / "run" / "remeshing.csv")
+      << "revision,time,fracture,elements_removed,hash_before,hash_after\n1,0.5,\"slit, east\",12,0a,0a\n";
+  const nlohmann::json remeshing = report_data(folder.path() / "run")["remeshing"];
+  CHECK(remeshing["rows"] == 1);
+  CHECK(remeshing["columns"]["elements_removed"] == nlohmann::json({12.0}));
+  CHECK(remeshing["columns"]["fracture"] == nlohmann::json({"slit, east"}));
+}
+
+TEST_CASE("another directory and a damaged segment are errors, not empty reports", "[coupler][report]") {
+  const sample::TemporaryDirectory folder;
+  CHECK_THROWS_WITH(report_data(folder.path()), Catch::Contains("is not a run directory"));
+  small_run::write(folder.path() / "run", small_run::Comparison::none);
+  std::filesystem::resize_file(folder.path() / "run" / "segments" / "000002.h5", 100);
+  CHECK_THROWS_AS(report_data(folder.path() / "run"), StorageError);
+}
