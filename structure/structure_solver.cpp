@@ -154,8 +154,7 @@ void StructureSolver::set_ramps_of(const Message& command) {
 std::optional<Insertion> StructureSolver::propose_growth() {
   if (model_->run_case.growth.path == PathRule::free) {
     growth_ = plan_growth(*model_, geometry_, *state_, time_);
-    if (!growth_) return std::nullopt;
-    return growth_->insertion;
+    if (growth_) return growth_->insertion;
   }
   const std::vector<VertexIndex> vertices =
       vertices_to_release(geometry_.mesh, state_->joints, geometry_.network);
