@@ -6,6 +6,28 @@
 
 namespace fissura::structure {
 
+namespace {
+
+constexpr int vertices_behind_tip = 4;
+
+double open_pressure(const Mesh& mesh, const Joints& joints, VertexIndex vertex) {
+  double pressure = 0;
+  for (const UnitIndex unit : mesh.vertices[vertex].units)
+    if (!joints.state[unit].closed) pressure = std::max(pressure, joints.state[unit].pressure);
+  return pressure;
+}
+
+std::vector<VertexIndex> neighbours(const Mesh& mesh, VertexIndex vertex, VertexIndex except) {
+  std::vector<VertexIndex> found;
+  for (const FractureEdge& edge : mesh.edges) {
+    if (edge.begin == vertex && edge.end != except) found.push_back(edge.end);
+    if (edge.end == vertex && edge.begin != except) found.push_back(edge.begin);
+  }
+  return found;
+}
+
+}  // namespace
+
 std::vector<FractureTip> fracture_tips(const Mesh& mesh) {
   std::vector<std::uint32_t> edges_at(mesh.vertices.size(), 0);
   for (const FractureEdge& edge : mesh.edges) {
@@ -27,10 +49,16 @@ std::vector<FractureTip> fracture_tips(const Mesh& mesh) {
 }
 
 double adjacent_pressure(const Mesh& mesh, const Joints& joints, const FractureTip& tip) {
-  double pressure = 0;
-  for (const UnitIndex unit : mesh.vertices[tip.previous].units)
-    pressure = std::max(pressure, joints.state[unit].pressure);
-  return pressure;
+  double least = open_pressure(mesh, joints, tip.previous);
+  VertexIndex from = tip.vertex, at = tip.previous;
+  for (int k = 1; k < vertices_behind_tip && least > 0; ++k) {
+    const std::vector<VertexIndex> beyond = neighbours(mesh, at, from);
+    if (beyond.size() != 1 || mesh.vertices[beyond.front()].units.empty()) break;
+    from = at;
+    at = beyond.front();
+    least = std::min(least, open_pressure(mesh, joints, at));
+  }
+  return least;
 }
 
 }  // namespace fissura::structure

@@ -22,7 +22,9 @@ struct FractureTip {
 /// Tips of open lines and of all that grew, ascending in the vertex. Natural fractures have none.
 std::vector<FractureTip> fracture_tips(const Mesh& mesh);
 
-/// Fluid pressure on the faces next to a tip: the greatest at `tip.previous` [Pa].
+/// Fluid pressure that pushes the faces next to a tip apart [Pa]: the least at the last four open vertices behind it, 0 while the faces at
+/// `tip.previous` are closed. Fluid loses pressure on its way to the tip. Where it seems not to, fluid has seeped between closed faces, or
+/// faces that have just opened strike back on it; either would let segments run ahead of any opening.
 double adjacent_pressure(const Mesh& mesh, const Joints& joints, const FractureTip& tip);
 
 }  // namespace fissura::structure
