@@ -99,7 +99,6 @@ class GrowthPlanner {
                                      in_situ_state(model_.run_case, tip.position).pore_pressure);
     const Principal stress =
         principal(average(tip, trigger_radius, trigger_width, HalfDisc::Weighting::near));
-    if (getenv("DBG") && stress.major + pressure >= model_.run_case.growth.trigger * strength) fprintf(stderr, "tip %g %g s1 %g p %g adj %g str %g held %g closed %d opening %g p %g\n", tip.position[0], tip.position[1], stress.major, pressure, adjacent_pressure(geometry_.mesh, state_.joints, tip), strength, state_.joints.state[geometry_.mesh.vertices[tip.previous].units.front()].held_normal, state_.joints.state[geometry_.mesh.vertices[tip.previous].units.front()].closed, state_.joints.state[geometry_.mesh.vertices[tip.previous].units.front()].opening, state_.joints.state[geometry_.mesh.vertices[tip.previous].units.front()].pressure);
     return stress.major + pressure >= model_.run_case.growth.trigger * strength;
   }
 
