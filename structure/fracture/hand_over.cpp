@@ -19,6 +19,7 @@ namespace {
 // In units of tip_size.
 constexpr double looked_at_around_vertex = 0.75;
 constexpr double healed_aside = 1.2;
+constexpr double moved_aside = 3;
 constexpr double not_healed_before_tip = 0.75;
 
 struct Station {
@@ -103,8 +104,14 @@ void HandOver::carry_out(const MeshInsertion& insertion, const StructureModel& m
           separation = std::max(separation, lost * state.joints.properties[unit].cohesive.critical_opening());
         }
 
+  std::vector<ElementIndex> around;
+  for (const ElementIndex element : made)
+    if (std::any_of(lines_.begin(), lines_.end(), [&](const Line& line) {
+          return station(centroid(mesh, element), line.points).distance < moved_aside * h;
+        }))
+      around.push_back(element);
   const PatchEquilibriumReport report =
-      equilibrate(model, geometry, made, records, state.joints, state.body.displacement);
+      equilibrate(model, geometry, around, records, state.joints, state.body.displacement);
   if (!report.converged)
     log::warn(fmt::format(
         "a failed band is handed over to the faces of a fracture out of equilibrium: {:.2g} of the "
