@@ -4,8 +4,10 @@ import csv
 import html
 import io
 import json
+import os
 import pathlib
 import re
+import signal
 import subprocess
 import tempfile
 import unittest
@@ -110,8 +112,9 @@ class Report(unittest.TestCase):
             run.wait_until_running(segments=2)
             page = write_report(run)
             self.assertGreaterEqual(len(data_of(page)["map"]["reports"]), 2)
-            run.process.kill()
-            run.process.wait()
+            for worker in run.pids("coupler"):
+                os.kill(worker, signal.SIGKILL)
+            run.wait()
             self.assertIsNone(self.look_at(run, self.ALWAYS)["summary"])
 
     def test_another_directory_is_refused(self):

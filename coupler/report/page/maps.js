@@ -34,12 +34,13 @@ const mapFields = {
   pressure: { label: "fluid pressure", unit: "MPa", factor: 1e-6 },
 };
 
+// Aperture from zero to the largest. Pressure without its lowest and highest values: it is zero where no fluid is yet, and high before the
+// fracture opens.
 function range(reports, field) {
-  let low = field === "aperture" ? 0 : Infinity, high = -Infinity;
-  for (const report of reports)
-    for (const value of report[field])
-      if (value !== null) [low, high] = [Math.min(low, value), Math.max(high, value)];
-  return high > low ? [low, high] : [low, low + 1];
+  const values = reports.flatMap((report) => report[field].filter((value) => value !== null)).sort((a, b) => a - b);
+  const at = (share) => values[Math.floor(share * (values.length - 1))];
+  const [low, high] = field === "aperture" ? [0, at(1)] : [at(0.1), at(0.98)];
+  return high > low ? [low, high] : [low || 0, (low || 0) + 1];
 }
 
 function fractureMap(grid, data) {
@@ -92,8 +93,9 @@ function fractureMap(grid, data) {
   function refresh() {
     const report = reports[state.report], field = mapFields[state.field], [least, most] = ranges[state.field];
     time.textContent = `t = ${shown(report.time)} s, revision ${report.revision}`;
-    low.textContent = `${field.label} ${shown(least * field.factor, 3)} ${field.unit}`;
-    high.textContent = `${shown(most * field.factor, 3)} ${field.unit}`;
+    const [below, above] = state.field === "pressure" ? ["\u2264 ", "\u2265 "] : ["", ""];
+    low.textContent = `${field.label} ${below}${shown(least * field.factor, 4)} ${field.unit}`;
+    high.textContent = `${above}${shown(most * field.factor, 4)} ${field.unit}`;
     slider.value = state.report;
     picture.redraw();
   }

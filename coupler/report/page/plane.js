@@ -14,7 +14,11 @@ function equalise(made, box) {
   const stepSize = Math.max(niceStep(metre * width, 14), Math.min(niceStep(metre * width, 8), niceStep(metre * height, 4)));
   Object.assign(scales.x, { min: middle[0] - (metre * width) / 2, max: middle[0] + (metre * width) / 2 });
   Object.assign(scales.y, { min: middle[1] - (metre * height) / 2, max: middle[1] + (metre * height) / 2 });
-  scales.x.ticks.stepSize = scales.y.ticks.stepSize = stepSize;
+  // The library's own ticks start from the limits where these are nearly a whole number of steps apart.
+  scales.x.afterBuildTicks = scales.y.afterBuildTicks = (scale) => {
+    scale.ticks = [];
+    for (let number = Math.ceil(scale.min / stepSize); number * stepSize <= scale.max; ++number) scale.ticks.push({ value: number * stepSize });
+  };
 }
 
 // plane(plot, box, inSitu, draw, label): draw(context, place) with place(x, y) -> [pixel, pixel]; beside it the in-situ stresses. Returns
@@ -33,7 +37,7 @@ function plane(plot, box, inSitu, draw, label) {
     settling = false;
   };
   const scale = (title) => ({ type: "linear", min: 0, max: 1, title: { display: true, text: title },
-    ticks: { includeBounds: false, maxRotation: 0, callback: (value) => shown(Number(value.toPrecision(8)), 6) } });
+    ticks: { autoSkip: false, maxRotation: 0, callback: (value) => shown(Number(value.toPrecision(8)), 6) } });
   const made = new Chart(canvas, {
     type: "scatter",
     data: { datasets: [{ data: [] }] },
