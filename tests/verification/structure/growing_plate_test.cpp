@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstring>
+
+#include "tests/verification/structure/growing_plate.hpp"
+
+using namespace fissura;
+using namespace fissura::structure;
+
+namespace {
+
+constexpr double h = 0.05, notch = 0.2, stretch = 6e-5;
+constexpr double fracture_energy = 10;
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+}  // namespace
+
+TEST_CASE("notched plate that fails ahead of its tips: breaks along the ligament for the fracture energy",
+          "[verification][structure]") {
+  const auto seed = static_cast<std::uint64_t>(GENERATE(1, 2, 3));
+  GrowingPlate plate(h, notch, stretch, seed);
+  while (plate.time() < GrowingPlate::end()) plate.advance();
+  const double ligament = 1 - 2 * notch;
+  // The units at the old tips reach half an edge back into the notch.
+  const double area = plate.inserted_length() + h;
+  CAPTURE(seed, plate.inserted_length(), plate.deviation() / h, plate.spent() / (fracture_energy * area));
+  CHECK(plate.inserted_length() ==
+        Approx(ligament).epsilon(0.05));  // a path within one element of the ligament is no longer
+  CHECK(plate.deviation() < 1.2 * h);
+  CHECK(plate.spent() / (fracture_energy * area) == Approx(1).epsilon(0.1));
+  for (const RemeshRecord& record : plate.records()) CHECK(record.hash_before == record.hash_after);
+}
+
+TEST_CASE("a plate without a notch breaks along a fracture that nucleates", "[verification][structure]") {
+  GrowingPlate plate(h, 0, stretch, 1);
+  while (plate.time() < GrowingPlate::end()) plate.advance();
+  REQUIRE_FALSE(plate.records().empty());
+  CHECK(plate.records().front().fracture == "nucleated 1");
+  CHECK(plate.inserted_length() > 0.95);
+  // Several nuclei start at once where the stress is the same everywhere; what lies between two of them
+  // breaks twice.
+  CHECK(plate.spent() / fracture_energy == Approx(1).epsilon(0.25));
+}
+
+TEST_CASE("a structure that fails ahead of its tips restarts to the same bits", "[verification][structure]") {
+  GrowingPlate plate(h, notch, stretch, 1), restarted(h, notch, stretch, 1);
+  while (plate.records().size() < 2) {
+    plate.advance();
+    restarted.advance();
+  }
+  restarted.restart();
+  for (int k = 0; k < 5; ++k) {
+    plate.advance();
+    restarted.advance();
+  }
+  CHECK(same_bits(plate.state().body.displacement, restarted.state().body.displacement));
+  CHECK(same_bits(plate.state().body.velocity, restarted.state().body.velocity));
+  CHECK(plate.spent() == restarted.spent());
+  CHECK(plate.records().size() > 2);
+}
