@@ -85,7 +85,7 @@ class Inspection {
       if (!nodes_at_.contains(at)) note("vertex {} has no node", vertex);
   }
 
-  // A welded edge has elements that share both nodes; one next to a tip shares the tip's.
+  // The two elements at a fracture edge next to a tip share the tip's node.
   void inspect_edges() {
     std::set<std::pair<Point, Point>> fracture;
     for (const FractureEdge& edge : mesh_.edges) {
@@ -106,8 +106,9 @@ class Inspection {
       }
       const bool shared =
           corner(element, a) == corner(across->second, a) && corner(element, b) == corner(across->second, b);
-      if (shared == fracture.contains(edge))
-        note("the edge of element {} is {}", element, shared ? "welded" : "torn");
+      const bool torn =
+          fracture.contains(edge) && !(nodes_at_.at(a).size() == 1 && nodes_at_.at(b).size() == 1);
+      if (shared == torn) note("the edge of element {} is {}", element, shared ? "welded" : "torn");
     }
   }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <random>
 
 #include "tests/structure/fracture/growing_rock.hpp"
 #include "tests/structure/fracture/mesh_faults.hpp"
@@ -241,4 +242,33 @@ TEST_CASE("fractures that grow from everywhere at once leave a sound mesh", "[st
     require_sound(rock);
   }
   CHECK(segments > 60);
+}
+
+TEST_CASE("random fractures grow on random paths and leave a sound mesh", "[structure][fracture]") {
+  const std::uint64_t seed = GENERATE(1, 2, 3, 4);
+  std::mt19937_64 random(seed);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+  };
+  Case given = free_case(16);
+  given.mesh.seed = seed;
+  given.mesh.far_size = uniform(0.5, 1.5);
+  given.mesh.fracture_size = uniform(0.25, 1);
+  for (int k = 0; k < 4; ++k) {
+    const double x = -3 + 6 * (k % 2) + uniform(-1, 1), y = -3 + 6 * (k / 2) + uniform(-1, 1),
+                 angle = uniform(0, 6);
+    add_line(given, std::string(1, static_cast<char>('a' + k)),
+             k == 1 ? FractureKind::natural : FractureKind::open, {x - std::cos(angle), y - std::sin(angle)},
+             {x + std::cos(angle), y + std::sin(angle)});
+  }
+  GrowingRock rock(given);
+  require_sound_mesh(rock);
+  std::size_t segments = 0;
+  double angle = uniform(0, 3);
+  for (int k = 0; k < 10; ++k) {
+    segments += rock.grow_along(angle += uniform(-0.5, 0.5), 1);
+    require_sound_mesh(rock);
+  }
+  require_sound(rock);
+  CHECK(segments > 15);
 }
