@@ -7,7 +7,7 @@ import unittest
 from trio import PROGRAMS, ROOT, Run
 
 FAKES = ROOT / "tests/fakes"
-GROWING = ("--variant", "free", "--set", 'time.end="1 s"', "--set", 'output.interval="0.5 s"')
+GROWING = ("--variant", "free", "--until", "1 s", "--set", 'output.interval="0.5 s"')
 
 
 def relay(kind, role):
@@ -65,7 +65,8 @@ class Insertions(unittest.TestCase):
             with Run(*options, *GROWING) as run:
                 self.assertIn(run.wait(), (0, 1), run.errors)
                 lengths.append(list(csv.DictReader(run.history().decode().splitlines()))[-1]["half_length"])
-        self.assertEqual(*lengths)
+        # The fake rounds otherwise, so a wing may be one edge of 0.5 m ahead for a moment: a quarter of it in the half-length.
+        self.assertAlmostEqual(float(lengths[0]), float(lengths[1]), delta=0.25)
 
     def test_the_remesh_ledger_has_a_line_for_each_segment(self):
         with Run(*GROWING) as run:
