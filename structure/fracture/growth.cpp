@@ -7,6 +7,7 @@
 
 #include "structure/dynamics/damage_transfer.hpp"
 #include "structure/dynamics/energy.hpp"
+#include "structure/dynamics/triangle.hpp"
 #include "structure/dynamics/untouched_hash.hpp"
 #include "structure/fracture/connected_elements.hpp"
 #include "structure/fracture/hand_over.hpp"
@@ -78,6 +79,23 @@ std::optional<HandOver> hand_over_of(const GrowthPlan& plan, const StructureMode
   return HandOver(plan, model, geometry, state);
 }
 
+// Elastic energy of these elements (ascending), of those that fail what failure has left of it [J/m].
+double stored_energy(const StructureModel& model, const Geometry& geometry, const StructureState& state,
+                     const std::vector<ElementIndex>& elements) {
+  const std::vector<double>& displacement = state.body.displacement;
+  double energy = 0;
+  for (const ElementIndex element : elements) {
+    const Triangle shape = triangle(geometry.mesh, element);
+    energy += shape.area *
+              elastic_energy_density(model.moduli, strain(geometry.mesh, element, shape, displacement));
+  }
+  std::vector<ElementDamage> records = damage_records(geometry.tiles, state.body.damage);
+  std::erase_if(records, [&](const ElementDamage& record) {
+    return !std::binary_search(elements.begin(), elements.end(), record.element);
+  });
+  return energy - released_energy(geometry.mesh, geometry.body, model.moduli, displacement, records);
+}
+
 // On failure of the rock that exists and on the cohesion of the faces [J/m].
 double work_spent(const StructureModel& model, const Geometry& geometry, const StructureState& state) {
   const Case& given = model.run_case;
@@ -107,9 +125,10 @@ std::vector<RemeshRecord> grow(const GrowthPlan& plan, const StructureModel& mod
   const double thickness = model.run_case.domain.thickness;
   RemeshRecord common;
   common.stable_step_before = stable_step(model, geometry, state);
-  const StateTransfer transfer(plan, model, geometry, state);
+  const StateTransfer transfer(plan, geometry, state);
   const std::optional<HandOver> hand_over = hand_over_of(plan, model, geometry, state);
   const std::vector<NodeIndex> moved_nodes = hand_over ? hand_over->moved_nodes() : std::vector<NodeIndex>{};
+  const double stored_before = stored_energy(model, geometry, state, removed_elements(plan));
   const double spent_before = work_spent(model, geometry, state);
   common.hash_before = hash_of_the_rest(geometry, state, what_goes(plan, moved_nodes));
   const DamageBefore damage =
@@ -118,7 +137,7 @@ std::vector<RemeshRecord> grow(const GrowthPlan& plan, const StructureModel& mod
   const MeshInsertion insertion = insert_into_mesh(plan, geometry.mesh);
   follow(model, insertion.change, geometry);
   extend_joints(plan, insertion, geometry.mesh, model.run_case.rock, state.joints);
-  const TransferBalance balance = transfer.carry_over(insertion, model, geometry, state);
+  const TransferBalance balance = transfer.carry_over(insertion, geometry, state);
   if (model.run_case.bulk_failure.active) {
     const RockFailure law = rock_failure(model.run_case.rock, model.run_case.bulk_failure);
     std::vector<ElementDamage> records = carry_damage(damage, insertion.change, geometry.mesh, law);
@@ -133,8 +152,8 @@ std::vector<RemeshRecord> grow(const GrowthPlan& plan, const StructureModel& mod
   common.untouched =
       insertion.change.elements_before - insertion.change.removed.size() - insertion.change.rewired.size();
   common.stable_step_after = stable_step(model, geometry, state);
-  common.strain_energy_before = thickness * transfer.before().strain_energy;
-  common.strain_energy_after = thickness * balance.strain_energy;
+  common.strain_energy_before = thickness * stored_before;
+  common.strain_energy_after = thickness * stored_energy(model, geometry, state, insertion.change.made);
   common.kinetic_energy_before = thickness * transfer.before().kinetic_energy;
   common.kinetic_energy_after = thickness * balance.kinetic_energy;
   common.mass_error = balance.mass_error;

@@ -19,7 +19,7 @@ struct RemeshRecord {
   double smallest_angle = 0;            ///< of the elements made [rad]
   double smallest_altitude = 0;         ///< [m]
   double stable_step_before = 0, stable_step_after = 0;        ///< [s]
-  double strain_energy_before = 0, strain_energy_after = 0;    ///< of the patches, whole thickness [J]
+  double strain_energy_before = 0, strain_energy_after = 0;    ///< left in the patches after failure, whole thickness [J]
   double kinetic_energy_before = 0, kinetic_energy_after = 0;  ///< of their nodes [J]
   double mass_error = 0, momentum_error = 0;                   ///< [-], see TransferBalance
   double wall_seconds = 0;                                     ///< of planning and carrying out, shared out among the segments

@@ -7,16 +7,10 @@
 #include <numeric>
 #include <set>
 
-#include "structure/dynamics/triangle.hpp"
 
 namespace fissura::structure {
 
 namespace {
-
-double strain_energy(const Mesh& mesh, const Elasticity& moduli, ElementIndex element, const std::vector<double>& displacement) {
-  const Triangle shape = triangle(mesh, element);
-  return shape.area * elastic_energy_density(moduli, strain(mesh, element, shape, displacement));
-}
 
 struct Motion {
   std::array<double, 2> momentum{};
@@ -35,18 +29,15 @@ double total(const std::vector<double>& values) { return std::accumulate(values.
 
 }  // namespace
 
-StateTransfer::StateTransfer(const GrowthPlan& plan, const StructureModel& model, const Geometry& geometry,
-                             const StructureState& state)
+StateTransfer::StateTransfer(const GrowthPlan& plan, const Geometry& geometry, const StructureState& state)
     : plan_(plan) {
   const Mesh& mesh = geometry.mesh;
   const State& body = state.body;
   std::set<NodeIndex> all_nodes;
   for (const PatchPlan& patch : plan.patches) {
     std::set<NodeIndex> nodes;
-    for (const ElementIndex element : patch.removed) {
+    for (const ElementIndex element : patch.removed)
       nodes.insert(mesh.elements[element].begin(), mesh.elements[element].end());
-      before_.strain_energy += strain_energy(mesh, model.moduli, element, body.displacement);
-    }
     for (const Rewiring& rewiring : patch.rewired)
       nodes.insert(mesh.elements[rewiring.element].begin(), mesh.elements[rewiring.element].end());
     auto& values = value_.emplace_back();
@@ -79,8 +70,8 @@ StateTransfer::StateTransfer(const GrowthPlan& plan, const StructureModel& model
   before_.kinetic_energy = state.mass_scaling.scale() * motion.kinetic_energy;
 }
 
-TransferBalance StateTransfer::carry_over(const MeshInsertion& insertion, const StructureModel& model,
-                                          const Geometry& geometry, StructureState& state) const {
+TransferBalance StateTransfer::carry_over(const MeshInsertion& insertion, const Geometry& geometry,
+                                          StructureState& state) const {
   State& body = state.body;
   const std::vector<double>& mass = geometry.body.mass;
   body.displacement.resize(2 * geometry.mesh.position.size());
@@ -115,8 +106,6 @@ TransferBalance StateTransfer::carry_over(const MeshInsertion& insertion, const 
     balance.momentum_error = std::hypot(after.momentum[0] - before_.momentum[0], after.momentum[1] - before_.momentum[1]) /
                              before_.momentum_scale;
   balance.kinetic_energy = state.mass_scaling.scale() * after.kinetic_energy;
-  for (const ElementIndex element : insertion.change.made)
-    balance.strain_energy += strain_energy(geometry.mesh, model.moduli, element, body.displacement);
   return balance;
 }
 

@@ -13,14 +13,12 @@ struct PatchBefore {
   std::array<double, 2> momentum{};      ///< sum of m v over the nodes of the patches and of what is rewired [kg/s]
   double momentum_scale = 0;             ///< sum of m |v| over them [kg/s]
   double kinetic_energy = 0;             ///< with the scaled mass [J/m]
-  double strain_energy = 0;              ///< of the removed elements, relative to the in-situ state [J/m]
 };
 
 struct TransferBalance {
   double mass_error = 0;      ///< change of the total mass over the total mass [-]
   double momentum_error = 0;  ///< change of the momentum over the sum of m |v| [-]
   double kinetic_energy = 0;  ///< of the same nodes after [J/m]
-  double strain_energy = 0;   ///< of the elements made [J/m]
 };
 
 /// Carries displacements and velocities over an insertion: a copy of a node moves as its source; a new node inside the rock as the element it
@@ -29,11 +27,10 @@ struct TransferBalance {
 class StateTransfer {
  public:
   /// Looks at the patches before the mesh changes.
-  StateTransfer(const GrowthPlan& plan, const StructureModel& model, const Geometry& geometry, const StructureState& state);
+  StateTransfer(const GrowthPlan& plan, const Geometry& geometry, const StructureState& state);
 
   /// After mesh and body have changed: extends and fills the state.
-  TransferBalance carry_over(const MeshInsertion& insertion, const StructureModel& model, const Geometry& geometry,
-                             StructureState& state) const;
+  TransferBalance carry_over(const MeshInsertion& insertion, const Geometry& geometry, StructureState& state) const;
 
   [[nodiscard]] const PatchBefore& before() const { return before_; }
 

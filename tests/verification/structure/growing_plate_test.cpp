@@ -25,13 +25,13 @@ TEST_CASE("notched plate that fails ahead of its tips: breaks along the ligament
   GrowingPlate plate(h, notch, stretch, seed);
   while (plate.time() < GrowingPlate::end()) plate.advance();
   const double ligament = 1 - 2 * notch;
-  // The units at the old tips reach half an edge back into the notch.
-  const double area = plate.inserted_length() + h;
-  CAPTURE(seed, plate.inserted_length(), plate.deviation() / h, plate.spent() / (fracture_energy * area));
+  const double share = plate.spent() / (fracture_energy * plate.inserted_length());
+  CAPTURE(seed, plate.inserted_length(), plate.deviation() / h, share);
   CHECK(plate.inserted_length() ==
         Approx(ligament).epsilon(0.05));  // a path within one element of the ligament is no longer
   CHECK(plate.deviation() < 1.2 * h);
-  CHECK(plate.spent() / (fracture_energy * area) == Approx(1).epsilon(0.1));
+  // The band ahead of a tip is as uneven as the scattered mesh; between two seeds lie some percent.
+  CHECK(share == Approx(1).epsilon(0.08));
   for (const RemeshRecord& record : plate.records()) CHECK(record.hash_before == record.hash_after);
 }
 
