@@ -38,8 +38,10 @@ ElementIndex nearest_removed(const DamageBefore& before, const Point& position) 
   return nearest;
 }
 
-ElementDamage on_triangle(const ElementDamage& given, const Mesh& mesh, ElementIndex element,
-                          const RockFailure& law) {
+}  // namespace
+
+ElementDamage record_on(const ElementDamage& given, const Mesh& mesh, ElementIndex element,
+                        const RockFailure& law) {
   const auto& [a, b, c] = mesh.elements[element];
   const double band =
       crack_band_length({mesh.position[a], mesh.position[b], mesh.position[c]}, given.history.normal);
@@ -51,8 +53,6 @@ ElementDamage on_triangle(const ElementDamage& given, const Mesh& mesh, ElementI
   result.plastic.worn *= given.history.band_length / band;
   return result;
 }
-
-}  // namespace
 
 DamageBefore damage_before_change(const Mesh& mesh, const Tiles& tiles, const Damage& damage,
                                   const std::vector<ElementIndex>& removed) {
@@ -78,7 +78,7 @@ std::vector<ElementDamage> carry_damage(const DamageBefore& before, const MeshCh
   if (!before.removed.empty())
     for (const ElementIndex element : change.made)
       if (const auto* record = find_record(before.records, nearest_removed(before, centroid(mesh, element))))
-        after.push_back(on_triangle(*record, mesh, element, law));
+        after.push_back(record_on(*record, mesh, element, law));
   std::sort(after.begin(), after.end(), earlier);
   return after;
 }

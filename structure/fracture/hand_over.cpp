@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "common/log.hpp"
+#include "structure/dynamics/damage_transfer.hpp"
+#include "structure/dynamics/element_fields.hpp"
 #include "structure/dynamics/triangle.hpp"
 #include "structure/fracture/patch_equilibrium.hpp"
 #include "structure/mesh/segment_tree.hpp"
@@ -20,7 +22,10 @@ namespace {
 constexpr double looked_at_around_vertex = 0.75;
 constexpr double healed_aside = 1.2;
 constexpr double moved_aside = 3;
+constexpr double gap_filled_from = 1;
 constexpr double not_healed_before_tip = 0.75;
+
+constexpr int rounds = 4;
 
 struct Station {
   double distance = std::numeric_limits<double>::infinity();  // from the line [m]
@@ -58,11 +63,11 @@ bool contains(const std::vector<VertexIndex>& list, VertexIndex vertex) {
 
 HandOver::HandOver(const GrowthPlan& plan, const StructureModel& model, const Geometry& geometry,
                    const StructureState& state)
-    : plan_(plan) {
+    : plan_(plan), h_(model.run_case.mesh.tip_size) {
   const Mesh& mesh = geometry.mesh;
-  const double h = model.run_case.mesh.tip_size;
   const FailureMap map(model, geometry, state);
   std::vector<FractureVertex> vertices = mesh.vertices;
+  std::vector<ElementIndex> removed;
   for (const PatchPlan& patch : plan.patches) {
     vertices.insert(vertices.end(), patch.new_vertices.begin(), patch.new_vertices.end());
     Line& line = lines_.emplace_back();
@@ -72,27 +77,65 @@ HandOver::HandOver(const GrowthPlan& plan, const StructureModel& model, const Ge
     line.ends_at_tip = !contains(patch.split, patch.new_edges.back().end);
     for (const VertexIndex vertex : patch.split)
       line.lost.emplace_back(vertex, map.greatest_near(mesh, patch.removed, vertices[vertex].position,
-                                                       looked_at_around_vertex * h));
+                                                       looked_at_around_vertex * h_));
     const std::vector<NodeIndex> inner = inner_nodes(mesh, geometry.node_elements, patch.removed);
     moved_nodes_.insert(moved_nodes_.end(), inner.begin(), inner.end());
+    removed.insert(removed.end(), patch.removed.begin(), patch.removed.end());
   }
   std::sort(moved_nodes_.begin(), moved_nodes_.end());
+  std::sort(removed.begin(), removed.end());
+  for (const ElementDamage& record : damage_records(geometry.tiles, state.body.damage))
+    if (std::binary_search(removed.begin(), removed.end(), record.element))
+      removed_.push_back({centroid(mesh, record.element), record});
+}
+
+bool HandOver::healed(const Point& at) const {
+  return std::any_of(lines_.begin(), lines_.end(), [&](const Line& line) {
+    const Station seen = station(at, line.points);
+    const double first = line.begins_at_tip ? not_healed_before_tip * h_ : 0,
+                 last = length_of(line.points) - (line.ends_at_tip ? not_healed_before_tip * h_ : 0);
+    return seen.distance < healed_aside * h_ && seen.along >= first && seen.along <= last;
+  });
+}
+
+bool HandOver::close_gaps(const StructureModel& model, const Geometry& geometry,
+                          const std::vector<ElementIndex>& elements, const std::vector<double>& displacement,
+                          std::vector<ElementDamage>& records) const {
+  const Mesh& mesh = geometry.mesh;
+  const RockFailure law = rock_failure(model.run_case.rock, model.run_case.bulk_failure);
+  const std::size_t before = records.size();
+  for (const ElementIndex element : elements) {
+    const Point at = centroid(mesh, element);
+    const auto end = records.begin() + static_cast<std::ptrdiff_t>(before);
+    const auto known = std::lower_bound(records.begin(), end, element,
+                                        [](const ElementDamage& a, ElementIndex b) { return a.element < b; });
+    if ((known != end && known->element == element) || healed(at)) continue;
+    const auto& [a, b, c] = mesh.elements[element];
+    const PlaneStrainStress stress =
+        undamaged_stress(mesh, geometry.body, model.moduli, element, displacement);
+    if (!failure_onset(law, stress, {mesh.position[a], mesh.position[b], mesh.position[c]})) continue;
+    const Removed* most = nullptr;
+    for (const Removed& candidate : removed_)
+      if (std::hypot(candidate.centroid[0] - at[0], candidate.centroid[1] - at[1]) < gap_filled_from * h_ &&
+          (!most || lost_strength(law.tension, candidate.record.history) >
+                        lost_strength(law.tension, most->record.history)))
+        most = &candidate;
+    if (most) records.push_back(record_on(most->record, mesh, element, law));
+  }
+  if (records.size() == before) return false;
+  std::sort(records.begin(), records.end(),
+            [](const ElementDamage& a, const ElementDamage& b) { return a.element < b.element; });
+  return true;
 }
 
 void HandOver::carry_out(const MeshInsertion& insertion, const StructureModel& model,
                          const Geometry& geometry, std::vector<ElementDamage> records,
                          StructureState& state) const {
   const Mesh& mesh = geometry.mesh;
-  const double h = model.run_case.mesh.tip_size;
   const auto& made = insertion.change.made;
   std::erase_if(records, [&](const ElementDamage& record) {
-    if (!std::binary_search(made.begin(), made.end(), record.element)) return false;
-    return std::any_of(lines_.begin(), lines_.end(), [&](const Line& line) {
-      const Station at = station(centroid(mesh, record.element), line.points);
-      const double first = line.begins_at_tip ? not_healed_before_tip * h : 0,
-                   last = length_of(line.points) - (line.ends_at_tip ? not_healed_before_tip * h : 0);
-      return at.distance < healed_aside * h && at.along >= first && at.along <= last;
-    });
+    return std::binary_search(made.begin(), made.end(), record.element) &&
+           healed(centroid(mesh, record.element));
   });
 
   const auto& fresh = insertion.change.new_units;
@@ -107,11 +150,14 @@ void HandOver::carry_out(const MeshInsertion& insertion, const StructureModel& m
   std::vector<ElementIndex> around;
   for (const ElementIndex element : made)
     if (std::any_of(lines_.begin(), lines_.end(), [&](const Line& line) {
-          return station(centroid(mesh, element), line.points).distance < moved_aside * h;
+          return station(centroid(mesh, element), line.points).distance < moved_aside * h_;
         }))
       around.push_back(element);
-  const PatchEquilibriumReport report =
-      equilibrate(model, geometry, around, records, state.joints, state.body.displacement);
+  PatchEquilibriumReport report;
+  for (int round = 0; round < rounds; ++round) {
+    report = equilibrate(model, geometry, around, records, state.joints, state.body.displacement);
+    if (!close_gaps(model, geometry, around, state.body.displacement, records)) break;
+  }
   if (!report.converged)
     log::warn(fmt::format(
         "a failed band is handed over to the faces of a fracture out of equilibrium: {:.2g} of the "

@@ -36,8 +36,21 @@ class HandOver {
     std::vector<std::pair<VertexIndex, double>> lost;  ///< split vertices with omega
   };
 
+  /// What an element had that goes.
+  struct Removed {
+    Point centroid{};  ///< [m]
+    ElementDamage record;
+  };
+
+  [[nodiscard]] bool healed(const Point& at) const;
+  bool close_gaps(const StructureModel& model, const Geometry& geometry,
+                  const std::vector<ElementIndex>& elements, const std::vector<double>& displacement,
+                  std::vector<ElementDamage>& records) const;
+
   const GrowthPlan& plan_;
+  double h_;  ///< tip_size [m]
   std::vector<Line> lines_;
+  std::vector<Removed> removed_;
   std::vector<NodeIndex> moved_nodes_;
 };
 
