@@ -2,7 +2,6 @@
 #include "structure/fracture/connected_elements.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <unordered_set>
 
 namespace fissura::structure {
@@ -21,7 +20,8 @@ std::vector<ElementIndex> connected_elements(const Mesh& mesh, const NodeElement
       found.push_back(element);
       for (const NodeIndex corner : mesh.elements[element]) {
         const Point& at = mesh.position[corner];
-        if (std::hypot(at[0] - centre[0], at[1] - centre[1]) > radius) continue;
+        const double dx = at[0] - centre[0], dy = at[1] - centre[1];
+        if (dx * dx + dy * dy > radius * radius) continue;
         if (seen_nodes.insert(corner).second) front.push_back(corner);
       }
     }

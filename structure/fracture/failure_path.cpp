@@ -92,6 +92,9 @@ std::optional<std::vector<SegmentEnd>> failure_path(const RockNow& rock, const F
   const auto failed = [&](const Point& at) {
     return map.greatest_near(geometry.mesh, near, at, beside * h) >= growth.failure_damage;
   };
+  if (std::none_of(near.begin(), near.end(),
+                   [&](ElementIndex element) { return map.lost(element) >= growth.failure_damage; }))
+    return std::nullopt;
   constexpr int per_segment = static_cast<int>(1 / stride);
   const std::vector<Point> points =
       march(rock, {tip.position, tip.node, tip.direction}, longest_path * per_segment);
