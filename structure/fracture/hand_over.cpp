@@ -25,7 +25,8 @@ constexpr double moved_aside = 3;
 constexpr double gap_filled_from = 1;
 constexpr double not_healed_before_tip = 0.75;
 
-constexpr int rounds = 4;
+constexpr int rounds = 8;
+constexpr double noticed = 1e-3;  // share of strength lost
 
 struct Station {
   double distance = std::numeric_limits<double>::infinity();  // from the line [m]
@@ -98,22 +99,31 @@ bool HandOver::healed(const Point& at) const {
   });
 }
 
-bool HandOver::close_gaps(const StructureModel& model, const Geometry& geometry,
-                          const std::vector<ElementIndex>& elements, const std::vector<double>& displacement,
-                          std::vector<ElementDamage>& records) const {
+bool HandOver::follow_opening(const StructureModel& model, const Geometry& geometry,
+                              const std::vector<ElementIndex>& elements,
+                              const std::vector<double>& displacement,
+                              std::vector<ElementDamage>& records) const {
   const Mesh& mesh = geometry.mesh;
   const RockFailure law = rock_failure(model.run_case.rock, model.run_case.bulk_failure);
   const std::size_t before = records.size();
+  bool changed = false;
   for (const ElementIndex element : elements) {
     const Point at = centroid(mesh, element);
+    const PlaneStrainStress stress =
+        undamaged_stress(mesh, geometry.body, model.moduli, element, displacement);
     const auto end = records.begin() + static_cast<std::ptrdiff_t>(before);
     const auto known = std::lower_bound(records.begin(), end, element,
                                         [](const ElementDamage& a, ElementIndex b) { return a.element < b; });
-    if ((known != end && known->element == element) || healed(at)) continue;
+    if (known != end && known->element == element) {
+      const double lost = lost_strength(law.tension, known->history);
+      const PlaneStrainStress elastic = without_plastic_part(model.moduli, stress, known->plastic);
+      grow_damage(law.tension, principal(elastic.in_plane).major / law.tension.band_modulus, known->history);
+      changed = changed || lost_strength(law.tension, known->history) > lost + noticed;
+      continue;
+    }
     const auto& [a, b, c] = mesh.elements[element];
-    const PlaneStrainStress stress =
-        undamaged_stress(mesh, geometry.body, model.moduli, element, displacement);
-    if (!failure_onset(law, stress, {mesh.position[a], mesh.position[b], mesh.position[c]})) continue;
+    if (healed(at) || !failure_onset(law, stress, {mesh.position[a], mesh.position[b], mesh.position[c]}))
+      continue;
     const Removed* most = nullptr;
     for (const Removed& candidate : removed_)
       if (std::hypot(candidate.centroid[0] - at[0], candidate.centroid[1] - at[1]) < gap_filled_from * h_ &&
@@ -122,10 +132,9 @@ bool HandOver::close_gaps(const StructureModel& model, const Geometry& geometry,
         most = &candidate;
     if (most) records.push_back(record_on(most->record, mesh, element, law));
   }
-  if (records.size() == before) return false;
   std::sort(records.begin(), records.end(),
             [](const ElementDamage& a, const ElementDamage& b) { return a.element < b.element; });
-  return true;
+  return changed || records.size() > before;
 }
 
 void HandOver::carry_out(const MeshInsertion& insertion, const StructureModel& model,
@@ -156,7 +165,7 @@ void HandOver::carry_out(const MeshInsertion& insertion, const StructureModel& m
   PatchEquilibriumReport report;
   for (int round = 0; round < rounds; ++round) {
     report = equilibrate(model, geometry, around, records, state.joints, state.body.displacement);
-    if (!close_gaps(model, geometry, around, state.body.displacement, records)) break;
+    if (!follow_opening(model, geometry, around, state.body.displacement, records)) break;
   }
   if (!report.converged)
     log::warn(fmt::format(

@@ -43,9 +43,9 @@ class HandOver {
   };
 
   [[nodiscard]] bool healed(const Point& at) const;
-  bool close_gaps(const StructureModel& model, const Geometry& geometry,
-                  const std::vector<ElementIndex>& elements, const std::vector<double>& displacement,
-                  std::vector<ElementDamage>& records) const;
+  bool follow_opening(const StructureModel& model, const Geometry& geometry,
+                      const std::vector<ElementIndex>& elements, const std::vector<double>& displacement,
+                      std::vector<ElementDamage>& records) const;
 
   const GrowthPlan& plan_;
   double h_;  ///< tip_size [m]
