@@ -14,7 +14,10 @@ namespace fissura::structure {
 /// omega the greatest share of strength lost within 0.75 tip_size, as a band that softens linearly has it.
 /// The opening is the one in equilibrium with the rock around the patch, which is where the opening of the
 /// band has gone: it is not interpolated, nor is it set. Healed are the elements made within 1.2 tip_size of
-/// the line, but for the last 0.75 before an end that is a tip.
+/// the line, but for the last 0.75 before an end that is a tip. Ahead of that the band goes on, through
+/// triangles that have changed, with the opening it had: their damage grows to the strain it is spread over
+/// now, and one without a record that lies in its way takes the most failed record around. The patch would
+/// otherwise hold what the band has let go.
 class HandOver {
  public:
   /// Before the mesh changes.

@@ -31,7 +31,7 @@ TEST_CASE("notched plate that fails ahead of its tips: breaks along the ligament
         Approx(ligament).epsilon(0.05));  // a path within one element of the ligament is no longer
   CHECK(plate.deviation() < 1.2 * h);
   // The band ahead of a tip is as uneven as the scattered mesh; between two seeds lie some percent.
-  CHECK(share == Approx(1).epsilon(0.08));
+  CHECK(share == Approx(1).epsilon(0.1));
   for (const RemeshRecord& record : plate.records()) CHECK(record.hash_before == record.hash_after);
 }
 
@@ -43,7 +43,7 @@ TEST_CASE("a plate without a notch breaks along a fracture that nucleates", "[ve
   CHECK(plate.inserted_length() > 0.95);
   // Several nuclei start at once where the stress is the same everywhere; what lies between two of them
   // breaks twice.
-  CHECK(plate.spent() / fracture_energy == Approx(1).epsilon(0.15));
+  CHECK(plate.spent() / fracture_energy == Approx(1).epsilon(0.1));
 }
 
 TEST_CASE("a structure that fails ahead of its tips restarts to the same bits", "[verification][structure]") {
