@@ -13,10 +13,10 @@ namespace fissura::structure {
 
 namespace {
 
-StructureModel pulled(double h, double notch, double stretch, std::uint64_t seed) {
+StructureModel pulled(double h, double notch, double stretch, double fracture_energy, std::uint64_t seed) {
   Case given = fakes::shale_case();
   given.domain = {1, 1, 1};
-  given.rock.fracture_energy = 10;  // so that the process zone is shorter than the plate
+  given.rock.fracture_energy = fracture_energy;
   given.mesh.fracture_size = given.mesh.far_size = given.mesh.corridor = given.mesh.tip_size = h;
   given.mesh.gradation = 0.1;
   given.mesh.seed = seed;
@@ -41,8 +41,8 @@ bool grew(const Mesh& mesh, const FractureEdge& edge) {
 
 }  // namespace
 
-GrowingPlate::GrowingPlate(double h, double notch, double stretch, std::uint64_t seed)
-    : model_(pulled(h, notch, stretch, seed)),
+GrowingPlate::GrowingPlate(double h, double notch, double stretch, double fracture_energy, std::uint64_t seed)
+    : model_(pulled(h, notch, stretch, fracture_energy, seed)),
       geometry_(build_geometry(model_)),
       state_(initial_state(model_, geometry_)),
       tips_(model_) {

@@ -14,8 +14,9 @@ namespace fissura::structure {
 /// tips grow along failure paths (TipRule::damage). It does what StructureSolver does, without messages.
 class GrowingPlate {
  public:
-  /// With a notch from `-notch` to `notch` [m] on y = 0, none if 0. `stretch` [m] is reached at end().
-  GrowingPlate(double h, double notch, double stretch, std::uint64_t seed);
+  /// With a notch from `-notch` to `notch` [m] on y = 0, none if 0. `stretch` [m] is reached at end(),
+  /// `fracture_energy` in J/m2.
+  GrowingPlate(double h, double notch, double stretch, double fracture_energy, std::uint64_t seed);
 
   /// One coupling interval of ten steps, with the growth after it.
   void advance();
