@@ -172,7 +172,7 @@ void StructureSolver::protect_tips() {
   if (failing_tips_)
     failing_tips_->tend(geometry_, *state_);
   else if (model_->run_case.bulk_failure.active && model_->run_case.growth.path == PathRule::free)
-    forbid_onset(geometry_.tiles, tip_surroundings(*model_, geometry_), state_->body.damage);
+    forbid_onset(geometry_.tiles, tip_surroundings(*model_, geometry_, state_->joints), state_->body.damage);
 }
 
 LoopTimes StructureSolver::loop_times() const {

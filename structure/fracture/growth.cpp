@@ -107,13 +107,19 @@ double work_spent(const StructureModel& model, const Geometry& geometry, const S
 
 }  // namespace
 
-std::vector<ElementIndex> tip_surroundings(const StructureModel& model, const Geometry& geometry) {
+std::vector<ElementIndex> tip_surroundings(const StructureModel& model, const Geometry& geometry, const Joints& joints) {
   const double radius = model.run_case.bulk_failure.tip_exclusion * model.run_case.mesh.tip_size;
+  const Mesh& mesh = geometry.mesh;
   std::vector<ElementIndex> elements;
-  for (const FractureTip& tip : fracture_tips(geometry.mesh)) {
-    const auto near =
-        connected_elements(geometry.mesh, geometry.node_elements, tip.node, tip.position, radius);
+  const auto add_around = [&](NodeIndex node) {
+    const auto near = connected_elements(mesh, geometry.node_elements, node, mesh.position[node], radius);
     elements.insert(elements.end(), near.begin(), near.end());
+  };
+  for (const FractureTip& tip : fracture_tips(mesh)) add_around(tip.node);
+  for (UnitIndex unit = 0; unit < mesh.units.size(); ++unit) {
+    if (joints.properties[unit].cohesive.strength == 0 || joints.broken(unit)) continue;
+    add_around(mesh.units[unit].minus);
+    add_around(mesh.units[unit].plus);
   }
   sort_without_repeats(elements);
   return elements;

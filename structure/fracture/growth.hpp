@@ -29,9 +29,9 @@ struct RemeshRecord {
 std::vector<RemeshRecord> grow(const GrowthPlan& plan, const StructureModel& model, Geometry& geometry,
                                StructureState& state);
 
-/// Elements in which no bulk damage may start because they lie near a tip that grows by inserted segments (BulkFailure::tip_exclusion),
-/// ascending.
-std::vector<ElementIndex> tip_surroundings(const StructureModel& model, const Geometry& geometry);
+/// Elements in which no bulk damage may start (BulkFailure::tip_exclusion): those near a tip that grows by inserted segments, and those
+/// near faces that still have cohesion, which otherwise would have to fail twice. Ascending.
+std::vector<ElementIndex> tip_surroundings(const StructureModel& model, const Geometry& geometry, const Joints& joints);
 
 /// For the ACKNOWLEDGE of an INSERT (docs/protocol.md).
 nlohmann::json remeshing_json(const std::vector<RemeshRecord>& records);

@@ -175,7 +175,7 @@ TEST_CASE("natural fractures do not grow from their ends", "[structure][fracture
 
 TEST_CASE("no damage may start around the tips that grow", "[structure][fracture]") {
   const GrowingRock rock(free_slit());
-  const auto elements = tip_surroundings(rock.model, rock.geometry);
+  const auto elements = tip_surroundings(rock.model, rock.geometry, rock.state.joints);
   REQUIRE(std::is_sorted(elements.begin(), elements.end()));
   const double reach = rock.model.run_case.bulk_failure.tip_exclusion * rock.h();
   const Mesh& mesh = rock.geometry.mesh;
