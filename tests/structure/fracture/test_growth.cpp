@@ -209,6 +209,8 @@ TEST_CASE("a fracture that meets another one beside its tip joins it", "[structu
     require_sound(rock);
   }
   CHECK(fracture_tips(rock.geometry.mesh).size() == 3);
+  // The junction was wet before: nothing of it is held any more.
+  for (const std::uint8_t released : rock.state.joints.released) CHECK(released == 1);
 }
 
 TEST_CASE("a fracture breaks through to a side of the domain", "[structure][fracture]") {

@@ -3,7 +3,9 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "structure/dynamics/triangle.hpp"
 #include "structure/fracture/mesh_insertion.hpp"
+#include "structure/mesh/segment_tree.hpp"
 #include "tests/structure/fracture/growing_rock.hpp"
 #include "tests/structure/fracture/mesh_faults.hpp"
 
@@ -134,4 +136,63 @@ TEST_CASE("a junction keeps the unit it parts and lists it as changed", "[struct
     rock.insert(plan);
   }
   FAIL("the slit did not reach the fault");
+}
+
+TEST_CASE("an element beside the patch gets the node of its side, wherever it is in the list",
+          "[structure][fracture]") {
+  Case given = slit_before_natural_fracture();
+  given.fractures[0].points = {{-3, 0}, {-0.6, 0}};
+  GrowingRock rock(given);
+  Mesh& mesh = rock.geometry.mesh;
+  const FractureTip tip = rock.tip_near({-0.6, 0});
+  VertexIndex wall = 0;
+  for (VertexIndex v = 0; v < mesh.vertices.size(); ++v)
+    if (mesh.vertices[v].position[0] == 0 && std::abs(mesh.vertices[v].position[1]) < 0.01) wall = v;
+  const Point end = mesh.vertices[wall].position;
+  // A patch so small that it does not hold all the rock around the junction.
+  const auto plan_small = [&] {
+    const NodeElements node_elements(mesh);
+    std::vector<ElementIndex> elements;
+    for (ElementIndex element = 0; element < mesh.elements.size(); ++element) {
+      const auto& corners = mesh.elements[element];
+      const Point at = centroid(mesh, element);
+      const bool around_tip = std::find(corners.begin(), corners.end(), tip.node) != corners.end();
+      if (around_tip || (at[0] < 0 && distance_to_segment(at, tip.position, end) < 0.08))
+        elements.push_back(element);
+    }
+    const PatchOutline around = outline(mesh, elements, fracture_nodes(mesh));
+    const auto patch =
+        mesh_patch(around, {tip.position, end}, {rock.model.run_case.mesh, tip.position, end, 0}, 0);
+    REQUIRE(patch);
+    GrowthPlan plan;
+    plan.patches = {plan_patch({mesh, node_elements, mesh.vertices.size(), 0},
+                               {{tip.position, tip.vertex}, {end, wall}}, elements, around, *patch)};
+    return plan;
+  };
+  const GrowthPlan first = plan_small();
+  REQUIRE_FALSE(first.patches[0].rewired.empty());
+  Mesh after = mesh;
+  require_true(insert_into_mesh(first, after).change, mesh, after);
+  require_sound(after, given.domain);
+
+  // The same with that element as the last one of the list, and a second patch that leaves places for it.
+  std::swap(mesh.elements[first.patches[0].rewired[0].element], mesh.elements.back());
+  rock.geometry.node_elements = NodeElements(mesh);
+  GrowthPlan second = plan_small();
+  REQUIRE(second.patches[0].rewired[0].element == mesh.elements.size() - 1);
+  rock.model.run_case.mesh.tip_size = 0.33;
+  const FractureTip west = rock.tip_near({-3, 0});
+  const Point beyond{west.position[0] - 0.33, 0};
+  const PlannedPlace place = place_segment(rock, west, beyond);
+  second.patches.push_back(plan_patch({mesh, rock.geometry.node_elements, mesh.vertices.size(), 0},
+                                      {{west.position, west.vertex}, {beyond, std::nullopt}}, place.elements,
+                                      place.outline, place.mesh));
+  Mesh moved = mesh;
+  const MeshInsertion insertion = insert_into_mesh(second, moved);
+  require_true(insertion.change, mesh, moved);
+  require_sound(moved, given.domain);
+  REQUIRE_FALSE(insertion.change.moved.empty());
+  CHECK(insertion.change.moved[0].from == mesh.elements.size() - 1);
+  CHECK(std::binary_search(insertion.change.rewired.begin(), insertion.change.rewired.end(),
+                           insertion.change.moved[0].to));
 }

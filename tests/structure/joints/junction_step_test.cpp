@@ -134,6 +134,39 @@ TEST_CASE("cohesion holds a junction closed by its strength", "[structure][joint
   for (const JointState& state : junction.joints.state) CHECK(state.opening > 1e-8);
 }
 
+TEST_CASE("a junction that is pulled apart takes the fracture energy of its faces from the motion",
+          "[structure][joints]") {
+  constexpr double heavy = 1e9, speed = 1e-2;
+  Junction junction(thirds, cohesive_rock());
+  junction.masses.assign(3, heavy);
+  for (std::size_t wedge = 0; wedge < 3; ++wedge) {
+    const Point away = turned({speed, 0}, thirds[wedge] + std::numbers::pi / 3);
+    junction.velocity[2 * wedge] = away[0];
+    junction.velocity[2 * wedge + 1] = away[1];
+  }
+  junction.advance(squeeze(-1.1e6), undamped);
+  const auto momentum = [&] { return heavy * std::hypot(junction.velocity[0], junction.velocity[1]); };
+  const double before = momentum();
+  while (junction.joints.state[0].opening < 1.2e-4) junction.advance(squeeze(0), undamped);
+  // Three wedges at `speed` work against three faces; the first step spent one of 70 parts before.
+  CHECK((before - momentum()) * speed / arm == Approx(50).epsilon(0.03));
+  for (UnitIndex unit = 0; unit < 3; ++unit) CHECK(junction.joints.broken(unit));
+}
+
+TEST_CASE("wedges that are apart move freely", "[structure][joints]") {
+  Junction junction(thirds, frictional(0.8));
+  junction.press(1e6);
+  for (int k = 0; k < 20; ++k) junction.advance(squeeze(0), undamped);
+  junction.press(0);
+  junction.velocity[0] += 0.4;
+  junction.velocity[1] -= 0.7;
+  junction.velocity[4] -= 0.2;
+  const std::vector<double> before = junction.velocity;
+  for (int k = 0; k < 5; ++k) junction.advance(squeeze(0), undamped);
+  for (const JointState& state : junction.joints.state) REQUIRE(state.opening > 1e-6);
+  for (std::size_t dof = 0; dof < 6; ++dof) CHECK(junction.velocity[dof] == before[dof]);
+}
+
 TEST_CASE("nothing inside a junction changes its momentum", "[structure][joints]") {
   std::mt19937_64 random(3);
   const auto number = [&](double size) {
