@@ -103,7 +103,7 @@ class Insertions(unittest.TestCase):
 class DryCases(unittest.TestCase):
     def test_nothing_is_pumped_and_nothing_is_held(self):
         for case in ("softening_bar", "notched_plate"):
-            with self.subTest(case), Run("--set", 'time.end="1 ms"', "--set", 'output.interval="1 ms"', "--until",
+            with self.subTest(case), Run("--set", 'output.interval="1 ms"', "--until",
                                          "1 ms", case=ROOT / "cases" / case, form=None) as run:
                 self.assertEqual(run.wait(), 0, run.errors)
                 for line in csv.DictReader(run.history().decode().splitlines()):
