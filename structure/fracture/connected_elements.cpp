@@ -12,6 +12,9 @@ std::vector<ElementIndex> connected_elements(const Mesh& mesh, const NodeElement
   std::unordered_set<ElementIndex> seen_elements;
   std::unordered_set<NodeIndex> seen_nodes{start};
   std::vector<NodeIndex> front{start};
+  constexpr std::size_t usual = 512;  // elements around a tip, more than most circles hold
+  seen_elements.reserve(usual);
+  seen_nodes.reserve(usual);
   while (!front.empty()) {
     const NodeIndex node = front.back();
     front.pop_back();

@@ -39,9 +39,10 @@ NodeIndex nearest_node(const Mesh& mesh, const std::vector<NodeIndex>& nodes, co
   double least = std::numeric_limits<double>::infinity();
   NodeIndex nearest = nodes.front();
   for (const NodeIndex node : nodes) {
-    const double distance = std::hypot(mesh.position[node][0] - at[0], mesh.position[node][1] - at[1]);
-    if (distance >= least) continue;
-    least = distance;
+    const double dx = mesh.position[node][0] - at[0], dy = mesh.position[node][1] - at[1];
+    const double squared = dx * dx + dy * dy;
+    if (squared >= least) continue;
+    least = squared;
     nearest = node;
   }
   return nearest;
