@@ -17,14 +17,19 @@ constexpr double too_coarse = 2;
 constexpr double coarse = 1.35;
 constexpr double segments_ahead = 4;    // that a refinement looks ahead, in units of tip_size
 
+Point point_ahead(const PatchPlace& place, double distance) {
+  const double x = place.end[0] - place.begin[0], y = place.end[1] - place.begin[1], length = std::hypot(x, y);
+  return {place.end[0] + distance * x / length, place.end[1] + distance * y / length};
+}
+
 class Selection {
  public:
   Selection(const Mesh& mesh, const NodeElements& node_elements, const MeshControls& controls, const PatchPlace& place)
       : mesh_(mesh),
         node_elements_(node_elements),
         place_(place),
-        now_(controls, place.begin, place.end, 0),
-        ahead_(controls, place.begin, place.end, segments_ahead * controls.tip_size),
+        now_(controls, place.begin, place.end),
+        ahead_(controls, place.begin, point_ahead(place, segments_ahead * controls.tip_size)),
         surroundings_(controls.tip_radius + segments_ahead * controls.tip_size) {}
 
   PatchChoice choose(CoarseElements coarse_elements) {

@@ -27,7 +27,7 @@ struct PatchChoice {
 
 /// The elements an insertion replaces: those around the new segment, and those that have become too coarse for a tip there, with their
 /// neighbours. Only elements connected to the tip through nodes are looked at. Once an element is too coarse, the mesh is refined for
-/// the next few segments too, so that not every insertion has to.
+/// a tip a few segments farther on the same straight line too, so that not every insertion has to.
 PatchChoice choose_patch(const Mesh& mesh, const NodeElements& node_elements, const MeshControls& controls,
                          const PatchPlace& place, CoarseElements coarse_elements);
 

@@ -15,12 +15,11 @@ namespace fissura::structure {
 /// d the distance from the segment. Farther away the mesh may be as coarse as it is.
 class TipSizeField {
  public:
-  /// @param extra_radius  added to tip_radius [m]
-  TipSizeField(const MeshControls& controls, const Point& begin, const Point& end, double extra_radius)
+  TipSizeField(const MeshControls& controls, const Point& begin, const Point& end)
       : begin_(begin),
         end_(end),
         size_(controls.tip_size),
-        radius_(controls.tip_radius + extra_radius),
+        radius_(controls.tip_radius),
         gradation_(controls.tip_gradation) {}
 
   [[nodiscard]] double size(const Point& at) const {

@@ -162,7 +162,7 @@ TEST_CASE("an element beside the patch gets the node of its side, wherever it is
     }
     const PatchOutline around = outline(mesh, elements, fracture_nodes(mesh));
     const auto patch =
-        mesh_patch(around, {tip.position, end}, {rock.model.run_case.mesh, tip.position, end, 0}, 0);
+        mesh_patch(around, {tip.position, end}, {rock.model.run_case.mesh, tip.position, end}, 0);
     REQUIRE(patch);
     GrowthPlan plan;
     plan.patches = {plan_patch({mesh, node_elements, mesh.vertices.size(), 0},

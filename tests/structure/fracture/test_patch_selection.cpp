@@ -60,7 +60,7 @@ TEST_CASE("elements too coarse for a tip belong to the patch unless they are to 
   CHECK(std::includes(refined.elements.begin(), refined.elements.end(), left.elements.begin(),
                       left.elements.end()));
   // What stays is never much coarser than the field asks for.
-  const TipSizeField needed(rock.model.run_case.mesh, {2.5, 0}, {2.75, 0}, 0);
+  const TipSizeField needed(rock.model.run_case.mesh, {2.5, 0}, {2.75, 0});
   for (ElementIndex element = 0; element < mesh.elements.size(); ++element)
     if (!std::binary_search(refined.elements.begin(), refined.elements.end(), element))
       CHECK(size(mesh, element) <= 2 * needed.size(centroid(mesh, element)));
