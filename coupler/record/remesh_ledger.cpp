@@ -101,7 +101,10 @@ void RemeshLedger::add(std::uint64_t revision, double time, const Remeshing& ent
   if (entry.stable_step_before > 0)
     totals_.smallest_step_ratio =
         std::min(totals_.smallest_step_ratio, entry.stable_step_after / entry.stable_step_before);
-  totals_.strain_energy_jump += entry.strain_energy_after - entry.strain_energy_before;
+  // Segments inserted at once carry the same energies: those of all their patches together.
+  if (revision != last_revision_)
+    totals_.strain_energy_jump += entry.strain_energy_after - entry.strain_energy_before;
+  last_revision_ = revision;
 }
 
 void RemeshLedger::flush() {

@@ -45,7 +45,7 @@ struct RemeshTotals {
   double wall = 0;                                            ///< [s]
   double largest_mass_error = 0, largest_momentum_error = 0;  ///< magnitudes [-]
   double smallest_step_ratio = 1;                             ///< least of stable step after / before [-]
-  double strain_energy_jump = 0;                              ///< sum of after - before [J]
+  double strain_energy_jump = 0;                              ///< sum of after - before, once per revision [J]
 };
 
 /// remeshing.csv, one line for each inserted segment, and the totals. The file exists once the mesh has
@@ -68,6 +68,7 @@ class RemeshLedger {
   std::optional<CheckedFile> table_;
   std::vector<std::uint64_t> touched_;
   RemeshTotals totals_;
+  std::optional<std::uint64_t> last_revision_;
 };
 
 }  // namespace fissura::coupler

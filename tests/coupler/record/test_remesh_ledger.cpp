@@ -85,6 +85,16 @@ TEST_CASE("the totals of remeshing are the worst of every kind", "[coupler][reco
   CHECK(totals.wall == Approx(0.006));
 }
 
+TEST_CASE("segments inserted at once share one jump of the strain energy", "[coupler][record]") {
+  const sample::TemporaryDirectory folder;
+  RemeshLedger ledger(folder.path());
+  ledger.add(1, 1, remeshing_from_json(entry(20, 26)));
+  ledger.add(1, 1, remeshing_from_json(entry(30, 24)));
+  CHECK(ledger.totals().strain_energy_jump == 0.5);
+  ledger.add(2, 2, remeshing_from_json(entry(30, 24)));
+  CHECK(ledger.totals().strain_energy_jump == 1.0);
+}
+
 TEST_CASE("one hash that differs is never forgotten", "[coupler][record]") {
   const sample::TemporaryDirectory folder;
   RemeshLedger ledger(folder.path());
