@@ -13,6 +13,11 @@ void save_line(const FractureLine& line, ByteWriter& bytes) {
   bytes.put(line.fracture_energy);
   bytes.put(line.friction_coefficient);
   bytes.put(line.cohesion);
+  bytes.put(line.dilation_angle);
+  bytes.put(line.dilation_slip);
+  bytes.put(line.residual_aperture);
+  bytes.put(line.joint_compliance);
+  bytes.put(line.set);
 }
 
 FractureLine restore_line(ByteReader& bytes) {
@@ -24,6 +29,11 @@ FractureLine restore_line(ByteReader& bytes) {
   bytes.get(line.fracture_energy);
   bytes.get(line.friction_coefficient);
   bytes.get(line.cohesion);
+  bytes.get(line.dilation_angle);
+  bytes.get(line.dilation_slip);
+  bytes.get(line.residual_aperture);
+  bytes.get(line.joint_compliance);
+  bytes.get(line.set);
   return line;
 }
 
@@ -44,6 +54,7 @@ void save_mesh(const Mesh& mesh, ByteWriter& bytes) {
     bytes.put(vertex.position);
     bytes.put(vertex.units);
     bytes.put(vertex.node);
+    bytes.put(vertex.edges);
   }
   bytes.put(mesh.edges);
   bytes.put(mesh.units);
@@ -61,6 +72,7 @@ Mesh restore_mesh(ByteReader& bytes) {
     bytes.get(vertex.position);
     bytes.get(vertex.units);
     bytes.get(vertex.node);
+    bytes.get(vertex.edges);
   }
   bytes.get(mesh.edges);
   bytes.get(mesh.units);

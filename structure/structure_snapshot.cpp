@@ -13,7 +13,7 @@ namespace {
 
 enum class SavedGeometry : std::uint8_t { of_the_case, included };
 
-constexpr std::uint64_t format = 3;
+constexpr std::uint64_t format = 4;
 
 std::string text_of(const std::vector<Insertion>& insertions) {
   nlohmann::json list = nlohmann::json::array();

@@ -159,7 +159,7 @@ std::optional<Insertion> StructureSolver::propose_growth() {
   const std::vector<VertexIndex> vertices =
       vertices_to_release(geometry_.mesh, state_->joints, geometry_.network);
   if (vertices.empty()) return std::nullopt;
-  return connect(geometry_.mesh, geometry_.network, vertices, time_);
+  return connect(geometry_.mesh, geometry_.network, vertices, model_->run_case, time_);
 }
 
 void StructureSolver::rebuild_run() {

@@ -49,6 +49,7 @@ struct MeshControls {
   /// are scattered by the seed.
   std::optional<double> lattice_angle;
   std::vector<Refinement> refinements;
+  double natural_size = 0;  ///< h along natural fractures [m]; fracture_size by default
 };
 
 struct Rock {
@@ -88,6 +89,15 @@ enum class PathRule {
   free         ///< where the rock breaks; lines of kind intact are left out
 };
 
+/// Whether a hydraulic fracture that reaches a natural one goes on beyond it.
+enum class CrossingRule {
+  renshaw_pollard,  ///< Renshaw & Pollard 1995, in closed form for right angles
+  gu_weng,          ///< its extension to any angle, Gu & Weng 2010
+  blanton,          ///< Blanton 1986, from angle and stress difference
+  always,
+  never
+};
+
 enum class TipRule {
   insertion,  ///< a wet cohesive segment ahead of each tip whose averaged wet stress reaches a share of the strength
   damage      ///< Profit et al. 2016: bulk damage first, then a segment along the failure path
@@ -104,6 +114,7 @@ struct Growth {
   double failure_damage = 0.7;   ///< damage at which an element counts as failed [-]
   double failure_length = 2;     ///< length of failure path that becomes a fracture, in tip_size [-]; tip = damage and nucleation
   double wet_zone = 2.5;         ///< fluid pressure acts in damaged elements within this many tip_size of a tip [-]; tip = damage
+  CrossingRule crossing = CrossingRule::gu_weng;
 };
 
 /// Effective in-situ stress (tension positive) and pore pressure, linear in x and y, in equilibrium with
@@ -116,6 +127,9 @@ struct InSitu {
   std::array<double, 2> pore_pressure_gradient{};          ///< [Pa/m]
   std::array<double, 2> body_acceleration{};               ///< [m/s2]
 };
+
+/// Pore pressure at a point [Pa].
+double pore_pressure(const InSitu& in_situ, const Point& at);
 
 enum class BoundaryKind {
   fixed,        ///< no displacement
@@ -144,10 +158,38 @@ struct FractureLine {
   std::string name;
   FractureKind kind = FractureKind::open;
   std::vector<Point> points;        ///< polyline [m], at least two
-  double tensile_strength = 0;      ///< [Pa]; of the rock for `intact`, 0 by default for `natural`
+  double tensile_strength = 0;      ///< [Pa]; of the rock for `intact`, of the cement (0 = none) for `natural`
   double fracture_energy = 0;       ///< [J/m2]; the same
   double friction_coefficient = 0;  ///< tan(phi) [-]
   double cohesion = 0;              ///< of the friction law [Pa]
+  double dilation_angle = 0;        ///< psi of touching faces that slide [rad]; natural only, like the rest
+  double dilation_slip = 0;         ///< slip beyond which they dilate no more [m]
+  double residual_aperture = 0;     ///< hydraulic aperture of touching faces [m]
+  double joint_compliance = 0;      ///< hydraulic opening of touching faces per fluid pressure [m/Pa]
+  std::string set;                  ///< the set of natural fractures it belongs to; empty if it is given by itself
+};
+
+/// A quantity that scatters: normal distribution, cut at three deviations and where it would not be positive.
+struct Scattered {
+  double mean = 0, deviation = 0;
+};
+
+enum class PersistenceReading {
+  repeat,  ///< distance along strike from the begin of one trace to the begin of the next
+  gap      ///< distance along strike from the end of one trace to the begin of the next
+};
+
+/// A set of natural fractures, from which traces are drawn (natural_fractures.hpp). Lengths in m, angles in rad.
+struct NaturalFractureSet {
+  std::string name;
+  Scattered orientation;  ///< azimuth of the strike, from north (y), clockwise
+  Scattered spacing;      ///< across strike
+  Scattered length;       ///< of a trace
+  Scattered persistence;
+  PersistenceReading reading = PersistenceReading::repeat;
+  std::uint64_t seed = 1;
+  double west = 0, east = 0, south = 0, north = 0;  ///< the region they fill
+  FractureLine faces;     ///< properties that each trace gets; no points
 };
 
 /// tau = K gamma^n; Newtonian for n = 1 with K the viscosity.
@@ -209,6 +251,19 @@ struct Dynamics {
   double event_loading_ratio = 0.2;  ///< beta_e after a change of the pumping [-]
   double initial_mass_scale = 100;   ///< [-], >= 1
   double maximum_mass_scale = 1e8;   ///< [-]
+  bool equilibrate = true;  ///< let natural fractures come to rest under the in-situ stress before time 0, and count slip from there
+};
+
+/// A rectangle of the rock that moves at time 0.
+struct InitialVelocity {
+  std::array<double, 2> velocity{};                 ///< x, y [m/s]
+  double west = 0, east = 0, south = 0, north = 0;  ///< sides of the rectangle [m]
+};
+
+/// A point whose stress and displacement, and those of the nearest joint within one element, are recorded at every coupling time.
+struct Probe {
+  std::string name;
+  Point position{};  ///< [m]
 };
 
 struct NetworkControls {
@@ -220,6 +275,7 @@ struct NetworkControls {
 struct Output {
   double interval = 0;           ///< simulated time between field reports [s]
   int reports_per_segment = 20;  ///< field reports in one HDF5 segment
+  std::vector<Probe> probes;
 };
 
 /// Nobody waits longer than this. Wall time, seconds.
@@ -257,7 +313,9 @@ struct Case {
   Growth growth;
   InSitu in_situ;
   Boundaries boundary;
-  std::vector<FractureLine> fractures;  ///< may be empty in a case without injection
+  std::vector<FractureLine> fractures;  ///< with the traces of the sets, cleaned; may be empty in a case without injection
+  std::vector<NaturalFractureSet> natural_fracture_sets;  ///< what they were drawn from
+  std::vector<InitialVelocity> initial_velocities;
   std::vector<Fluid> fluids;
   LeakOff leak_off;
   Injection injection;

@@ -86,23 +86,40 @@ void from_json(const nlohmann::json& json, TipRule& value) {
   value = value_of(json, tip_rules);
 }
 
+void to_json(nlohmann::json& json, CrossingRule value) {
+  json = word_of(value, crossing_rules);
+}
+void from_json(const nlohmann::json& json, CrossingRule& value) {
+  value = value_of(json, crossing_rules);
+}
+void to_json(nlohmann::json& json, PersistenceReading value) {
+  json = word_of(value, persistence_readings);
+}
+void from_json(const nlohmann::json& json, PersistenceReading& value) {
+  value = value_of(json, persistence_readings);
+}
+
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeSpan, end)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Domain, width, height, thickness)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Refinement, size, west, east, south, north)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MeshControls, fracture_size, far_size, corridor, gradation, seed, tip_size,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MeshControls, fracture_size, natural_size, far_size, corridor, gradation, seed, tip_size,
                                    tip_radius, tip_gradation, lattice_angle, refinements)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rock, density, youngs_modulus, poissons_ratio, tensile_strength,
                                    fracture_energy, biot_coefficient, friction_coefficient)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BulkFailure, active, softening, cohesion, friction_angle, dilation_angle,
                                    strength_across_bedding, bedding_angle, tip_exclusion)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Growth, path, tip, trigger, segment_length, turn_limit, nucleation,
-                                   failure_damage, failure_length, wet_zone)
+                                   failure_damage, failure_length, wet_zone, crossing)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InSitu, stress, stress_gradient, pore_pressure, pore_pressure_gradient,
                                    body_acceleration)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Boundary, kind, value, ramp)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Boundaries, west, east, south, north)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FractureLine, name, kind, points, tensile_strength, fracture_energy,
-                                   friction_coefficient, cohesion)
+                                   friction_coefficient, cohesion, dilation_angle, dilation_slip,
+                                   residual_aperture, joint_compliance, set)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Scattered, mean, deviation)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NaturalFractureSet, name, orientation, spacing, length, persistence,
+                                   reading, seed, west, east, south, north, faces)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Fluid, name, consistency_index, power_index, bulk_modulus)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LeakOff, coefficient, spurt_volume)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Perforation, name, position, aperture)
@@ -112,15 +129,18 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Coupling, scheme, minimum_steps, maximum_step
                                    drift_tolerance, compliance_factor, maximum_interval,
                                    fracture_normal_stiffness)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Dynamics, damping, safety_factor, loading_ratio, event_loading_ratio,
-                                   initial_mass_scale, maximum_mass_scale)
+                                   initial_mass_scale, maximum_mass_scale, equilibrate)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InitialVelocity, velocity, west, east, south, north)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Probe, name, position)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NetworkControls, minimum_aperture, tolerance, maximum_iterations)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Output, interval, reports_per_segment)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Output, interval, reports_per_segment, probes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Deadlines, join, progress, finish)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PressureRange, minimum, maximum)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Exchange, endpoint)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Participants, network)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Case, schema, title, time, domain, mesh, rock, bulk_failure, growth,
-                                   in_situ, boundary, fractures, fluids, leak_off, injection, coupling,
+                                   in_situ, boundary, fractures, natural_fracture_sets,
+                                   initial_velocities, fluids, leak_off, injection, coupling,
                                    dynamics, network, output, deadlines, pressure_range, exchange,
                                    participants)
 

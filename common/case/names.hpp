@@ -40,6 +40,15 @@ inline constexpr std::array softening_laws{Named<Softening>{"linear", Softening:
 inline constexpr std::array path_rules{Named<PathRule>{"prescribed", PathRule::prescribed},
                                        Named<PathRule>{"free", PathRule::free}};
 
+inline constexpr std::array crossing_rules{Named<CrossingRule>{"renshaw_pollard", CrossingRule::renshaw_pollard},
+                                           Named<CrossingRule>{"gu_weng", CrossingRule::gu_weng},
+                                           Named<CrossingRule>{"blanton", CrossingRule::blanton},
+                                           Named<CrossingRule>{"always", CrossingRule::always},
+                                           Named<CrossingRule>{"never", CrossingRule::never}};
+
+inline constexpr std::array persistence_readings{Named<PersistenceReading>{"repeat", PersistenceReading::repeat},
+                                                 Named<PersistenceReading>{"gap", PersistenceReading::gap}};
+
 inline constexpr std::array tip_rules{Named<TipRule>{"insertion", TipRule::insertion},
                                       Named<TipRule>{"damage", TipRule::damage}};
 

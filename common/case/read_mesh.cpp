@@ -35,6 +35,7 @@ MeshControls read_mesh(TableReader& document) {
   TableReader table = document.table("mesh");
   MeshControls mesh;
   mesh.fracture_size = table.quantity("fracture_size", dimension::length, positive);
+  mesh.natural_size = table.quantity("natural_size", dimension::length, positive, mesh.fracture_size);
   mesh.far_size = table.quantity("far_size", dimension::length, positive);
   mesh.corridor = table.quantity("corridor", dimension::length, positive);
   mesh.gradation = table.number("gradation", fraction);

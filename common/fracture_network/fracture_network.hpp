@@ -27,6 +27,9 @@ struct NetworkNode {
   FractureId fracture = 0;
   NodeRole role = NodeRole::interior;
   double exposure_time = 0;  ///< when the faces were exposed to the fluid [s]
+  bool saturated = false;    ///< new nodes: full of pore fluid when they join (natural fractures); dry otherwise
+  double formation_pressure = 0;  ///< of that pore fluid [Pa]
+  double joint_compliance = 0;    ///< hydraulic opening of touching faces per fluid pressure, mean over the arms [m/Pa]
 
   bool operator==(const NetworkNode&) const = default;
 };
@@ -89,6 +92,9 @@ class FractureNetwork {
   [[nodiscard]] std::size_t index_of(NodeId id) const;
 
   [[nodiscard]] bool contains(NodeId id) const { return node_index_.contains(id); }
+
+  /// Whether a segment of this id is or was part of the network.
+  [[nodiscard]] bool knows_segment(SegmentId id) const { return known_segments_.contains(id); }
 
   /// Indices into segments() of the segments at node `index`, in the order of segments().
   [[nodiscard]] std::vector<std::size_t> segments_at(std::size_t index) const;

@@ -18,7 +18,10 @@ json to_json(const NetworkNode& node) {
           {"lumped_length", node.lumped_length},
           {"fracture", node.fracture},
           {"role", static_cast<int>(node.role)},
-          {"exposure_time", node.exposure_time}};
+          {"exposure_time", node.exposure_time},
+          {"saturated", node.saturated},
+          {"formation_pressure", node.formation_pressure},
+          {"joint_compliance", node.joint_compliance}};
 }
 
 json to_json(const NetworkSegment& segment) {
@@ -52,6 +55,9 @@ void from_json(const json& entry, NetworkNode& node) {
   node.fracture = entry.at("fracture").get<FractureId>();
   node.role = enumerator<NodeRole>(entry, "role", static_cast<int>(NodeRole::perforation));
   node.exposure_time = entry.at("exposure_time").get<double>();
+  node.saturated = entry.value("saturated", false);
+  node.formation_pressure = entry.value("formation_pressure", 0.0);
+  node.joint_compliance = entry.value("joint_compliance", 0.0);
 }
 
 void from_json(const json& entry, NetworkSegment& segment) {

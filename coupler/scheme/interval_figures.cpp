@@ -15,11 +15,9 @@ double total_closure(const InSitu& in_situ, double biot, const NetworkNode& at, 
   const auto stress = [&](std::size_t k) {
     return in_situ.stress[k] + in_situ.stress_gradient[k][0] * at.x + in_situ.stress_gradient[k][1] * at.y;
   };
-  const double pore = in_situ.pore_pressure + in_situ.pore_pressure_gradient[0] * at.x +
-                      in_situ.pore_pressure_gradient[1] * at.y;
   return -(stress(0) * normal_x * normal_x + stress(1) * normal_y * normal_y +
            2 * stress(2) * normal_x * normal_y) +
-         biot * pore;
+         biot * pore_pressure(in_situ, {at.x, at.y});
 }
 
 struct VolumeDifference {

@@ -19,26 +19,19 @@ double open_pressure(const Mesh& mesh, const Joints& joints, VertexIndex vertex)
 
 std::vector<VertexIndex> neighbours(const Mesh& mesh, VertexIndex vertex, VertexIndex except) {
   std::vector<VertexIndex> found;
-  for (const FractureEdge& edge : mesh.edges) {
-    if (edge.begin == vertex && edge.end != except) found.push_back(edge.end);
-    if (edge.end == vertex && edge.begin != except) found.push_back(edge.begin);
-  }
+  for (const EdgeIndex edge : mesh.vertices[vertex].edges)
+    if (const VertexIndex other = mesh.edges[edge].across(vertex); other != except) found.push_back(other);
   return found;
 }
 
 }  // namespace
 
 std::vector<FractureTip> fracture_tips(const Mesh& mesh) {
-  std::vector<std::uint32_t> edges_at(mesh.vertices.size(), 0);
-  for (const FractureEdge& edge : mesh.edges) {
-    ++edges_at[edge.begin];
-    ++edges_at[edge.end];
-  }
   std::vector<FractureTip> tips;
   for (const FractureEdge& edge : mesh.edges) {
     if (mesh.lines[edge.line].kind == FractureKind::natural) continue;
     for (const auto& [at, from] : {std::pair{edge.begin, edge.end}, std::pair{edge.end, edge.begin}}) {
-      if (edges_at[at] != 1 || !mesh.vertices[at].units.empty()) continue;
+      if (mesh.vertices[at].edges.size() != 1 || !mesh.vertices[at].units.empty()) continue;
       const Point p = mesh.vertices[at].position, q = mesh.vertices[from].position;
       const double length = std::hypot(p[0] - q[0], p[1] - q[1]);
       tips.push_back({at, from, mesh.vertices[at].node, edge.line, p, {(p[0] - q[0]) / length, (p[1] - q[1]) / length}});

@@ -57,7 +57,7 @@ class GrowthPlanner {
       if (!patch) return;
       fractures.vertices.insert(fractures.vertices.end(), patch->new_vertices.begin(),
                                 patch->new_vertices.end());
-      fractures.edges.insert(fractures.edges.end(), patch->new_edges.begin(), patch->new_edges.end());
+      for (const FractureEdge& edge : patch->new_edges) add_edge(fractures, edge);
       fractures.lines.resize(geometry_.mesh.lines.size());
       fractures.lines.insert(fractures.lines.end(), plan.new_lines.begin(), plan.new_lines.end());
       for (const VertexIndex vertex : patch->split)
@@ -70,7 +70,7 @@ class GrowthPlanner {
       for (const Nucleus& nucleus : nuclei(now_, *map_)) add(plan_nucleus(nucleus, fractures, plan));
     if (plan.patches.empty()) return std::nullopt;
     std::sort(released.begin(), released.end());
-    plan.insertion = connect(fractures, geometry_.network, released, time);
+    plan.insertion = connect(fractures, geometry_.network, released, model_.run_case, time);
     return plan;
   }
 
@@ -80,6 +80,7 @@ class GrowthPlanner {
     fractures.lines = mesh.lines;
     fractures.vertices = mesh.vertices;
     fractures.edges = mesh.edges;
+    fractures.units = mesh.units;
     return fractures;
   }
 

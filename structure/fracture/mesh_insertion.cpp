@@ -15,7 +15,8 @@ std::vector<Index> ascending(const std::set<Index>& indices) {
 
 class MeshInserter {
  public:
-  MeshInserter(const GrowthPlan& plan, Mesh& mesh) : plan_(plan), mesh_(mesh) {
+  MeshInserter(const GrowthPlan& plan, Mesh& mesh)
+      : plan_(plan), mesh_(mesh), edges_before_(static_cast<EdgeIndex>(mesh.edges.size())) {
     change().elements_before = mesh.elements.size();
     change().nodes_before = mesh.position.size();
   }
@@ -145,16 +146,22 @@ class MeshInserter {
       change().new_vertices.push_back(static_cast<VertexIndex>(mesh_.vertices.size()));
       mesh_.vertices.push_back(vertex);
     }
-    mesh_.edges.insert(mesh_.edges.end(), patch.new_edges.begin(), patch.new_edges.end());
+    const auto first_new_edge = static_cast<EdgeIndex>(mesh_.edges.size());
+    for (const FractureEdge& edge : patch.new_edges) add_edge(mesh_, edge);
     for (const PlannedUnit& planned : patch.units) {
       const ContactUnit unit{result_.index_of(k, planned.minus), result_.index_of(k, planned.plus), planned.face,
                              planned.length, planned.vertex, planned.line};
+      const UnitIndex index = planned.same ? *planned.same : static_cast<UnitIndex>(mesh_.units.size());
+      for (const PlannedEdgeEnd& at : planned.edge_ends) {
+        const EdgeIndex edge = at.edge < edges_before_ ? at.edge : first_new_edge + (at.edge - edges_before_);
+        mesh_.edges[edge].unit[static_cast<std::size_t>(at.end)] = index;
+      }
       if (planned.same) {
-        mesh_.units[*planned.same] = unit;
+        mesh_.units[index] = unit;
         change().changed_units.push_back(*planned.same);
       } else {
-        change().new_units.push_back(static_cast<UnitIndex>(mesh_.units.size()));
-        mesh_.vertices[planned.vertex].units.push_back(static_cast<UnitIndex>(mesh_.units.size()));
+        change().new_units.push_back(index);
+        mesh_.vertices[planned.vertex].units.push_back(index);
         mesh_.units.push_back(unit);
       }
     }
@@ -163,6 +170,7 @@ class MeshInserter {
 
   const GrowthPlan& plan_;
   Mesh& mesh_;
+  EdgeIndex edges_before_;
   MeshInsertion result_;
   std::vector<NodeIndex> free_;
   std::set<NodeIndex> unused_, touched_;

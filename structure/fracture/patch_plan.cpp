@@ -43,7 +43,7 @@ class Planner {
   PatchPlan plan() {
     add_line();
     give_nodes_to_ordinary_points();
-    WedgeNodes wedges = assign_wedges({input_.mesh, input_.node_elements, elements_, outline_, patch_, line_points_, edges_});
+    WedgeNodes wedges = assign_wedges({input_.mesh, input_.node_elements, elements_, outline_, patch_, line_points_, plan_.new_edges});
     number_wedge_nodes(wedges);
     write_triangles(wedges);
     list_unused();
@@ -65,14 +65,12 @@ class Planner {
       if (point.vertex)
         vertex = *point.vertex;
       else
-        plan_.new_vertices.push_back({point.position, {}, 0});
+        plan_.new_vertices.push_back({point.position, {}, 0, {}});
       line_points_.push_back({point_at(point.position), vertex});
     }
     for (std::size_t k = 0; k + 1 < line_.size(); ++k)
       plan_.new_edges.push_back({line_points_[k].vertex, line_points_[k + 1].vertex, input_.line,
                                  edge_length(line_[k].position, line_[k + 1].position)});
-    edges_ = input_.mesh.edges;
-    edges_.insert(edges_.end(), plan_.new_edges.begin(), plan_.new_edges.end());
   }
 
   [[nodiscard]] std::uint32_t point_at(const Point& at) const {
@@ -141,14 +139,14 @@ class Planner {
   void list_units(const WedgeNodes& wedges) {
     for (const LinePoint& line_point : line_points_) {
       std::vector<PlannedUnit> units;
-      for (const FractureEdge& edge : edges_) {
-        if (edge.begin != line_point.vertex && edge.end != line_point.vertex) continue;
+      for (const EdgeIndex index : edges_at(line_point.vertex)) {
+        const FractureEdge& edge = planned_edge(index);
         const bool at_begin = edge.begin == line_point.vertex;
         const VertexIndex other = at_begin ? edge.end : edge.begin;
         const auto left = wedges.node_left_of(line_point.vertex, other);
         const auto right = wedges.node_right_of(line_point.vertex, other);
         ENSURE(left && right);
-        add_half(edge, line_point.vertex, at_begin ? *right : *left, at_begin ? *left : *right, units);
+        add_half(index, line_point.vertex, at_begin ? *right : *left, at_begin ? *left : *right, units);
       }
       if (units.empty()) continue;
       plan_.split.push_back(line_point.vertex);
@@ -157,17 +155,33 @@ class Planner {
     }
   }
 
-  void add_half(const FractureEdge& edge, VertexIndex vertex, PlannedNodeIndex minus, PlannedNodeIndex plus,
+  [[nodiscard]] std::vector<EdgeIndex> edges_at(VertexIndex vertex) const {
+    std::vector<EdgeIndex> edges;
+    if (vertex < input_.mesh.vertices.size()) edges = input_.mesh.vertices[vertex].edges;
+    for (EdgeIndex k = 0; k < plan_.new_edges.size(); ++k)
+      if (plan_.new_edges[k].begin == vertex || plan_.new_edges[k].end == vertex)
+        edges.push_back(static_cast<EdgeIndex>(input_.mesh.edges.size()) + k);
+    return edges;
+  }
+
+  [[nodiscard]] const FractureEdge& planned_edge(EdgeIndex index) const {
+    const auto& existing = input_.mesh.edges;
+    return index < existing.size() ? existing[index] : plan_.new_edges[index - existing.size()];
+  }
+
+  void add_half(EdgeIndex index, VertexIndex vertex, PlannedNodeIndex minus, PlannedNodeIndex plus,
                 std::vector<PlannedUnit>& units) const {
     if (minus == plus) return;
+    const FractureEdge& edge = planned_edge(index);
     const Point a = position(edge.begin), b = position(edge.end);
     auto same = std::find_if(units.begin(), units.end(), [&](const PlannedUnit& unit) {
       return std::minmax(unit.minus, unit.plus) == std::minmax(minus, plus);
     });
     if (same == units.end()) {
-      units.push_back({minus, plus, {0, 0}, 0, vertex, edge.line, std::nullopt, std::nullopt});
+      units.push_back({minus, plus, {0, 0}, 0, vertex, edge.line, std::nullopt, std::nullopt, {}});
       same = units.end() - 1;
     }
+    same->edge_ends.push_back({index, vertex == edge.begin ? 0 : 1});
     const double half = same->plus == plus ? 0.5 : -0.5;
     same->face[0] -= half * (b[1] - a[1]);
     same->face[1] += half * (b[0] - a[0]);
@@ -219,7 +233,6 @@ class Planner {
   const PatchMesh& patch_;
   PatchPlan plan_;
   std::vector<LinePoint> line_points_;
-  std::vector<FractureEdge> edges_;  // of the mesh and the new one
   std::vector<PlannedNodeIndex> node_of_point_;
 };
 

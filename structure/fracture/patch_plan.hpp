@@ -33,6 +33,12 @@ struct Rewiring {
   PlannedNodeIndex node = 0;
 };
 
+/// One end of a fracture edge: an existing one, or number_of_edges + k for the k-th of PatchPlan::new_edges.
+struct PlannedEdgeEnd {
+  EdgeIndex edge = 0;
+  int end = 0;  ///< 0 its begin, 1 its end
+};
+
 /// A contact unit as it will be at a vertex the insertion touches.
 struct PlannedUnit {
   PlannedNodeIndex minus = 0, plus = 0;
@@ -42,6 +48,7 @@ struct PlannedUnit {
   std::uint32_t line = 0;
   std::optional<UnitIndex> same;    ///< the existing unit it is
   std::optional<UnitIndex> source;  ///< the existing unit it was a part of
+  std::vector<PlannedEdgeEnd> edge_ends;  ///< whose halves it is made of
 };
 
 /// A point of the line that is inserted.

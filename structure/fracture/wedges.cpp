@@ -28,7 +28,7 @@ class WedgeFinder {
     name_points();
     list_patch_corners();
     list_outside_corners();
-    for (const FractureEdge& edge : input_.edges) cuts_.insert(std::minmax(vertex_place | edge.begin, vertex_place | edge.end));
+    list_cuts();
     join_corners();
     number_wedges();
     give_sources();
@@ -96,6 +96,16 @@ class WedgeFinder {
       const std::array<Place, 3> places{place_of_node(nodes[0]), place_of_node(nodes[1]), place_of_node(nodes[2])};
       for (int k = 0; k < 3; ++k) add_corner(places, true, element, k);
     }
+  }
+
+  void list_cuts() {
+    const auto cut = [&](const FractureEdge& edge) {
+      cuts_.insert(std::minmax(vertex_place | edge.begin, vertex_place | edge.end));
+    };
+    for (const auto& [place, point] : special_)
+      if (const auto vertex = vertex_at(place); vertex && *vertex < input_.mesh.vertices.size())
+        for (const EdgeIndex edge : input_.mesh.vertices[*vertex].edges) cut(input_.mesh.edges[edge]);
+    for (const FractureEdge& edge : input_.new_edges) cut(edge);
   }
 
   // Two corners at a place are neighbours if the edge between their elements leads there and is not cut.

@@ -22,7 +22,7 @@ struct WedgeInput {
   const PatchOutline& outline;
   const PatchMesh& patch;
   const std::vector<LinePoint>& line;
-  const std::vector<FractureEdge>& edges;  ///< of all fractures, the new ones included
+  const std::vector<FractureEdge>& new_edges;
 };
 
 /// The corners around a point between two fracture edges (or sides of the domain) that follow one another.

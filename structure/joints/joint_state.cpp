@@ -51,11 +51,8 @@ Joints make_joints(const Mesh& mesh, const Case& run_case) {
     joints.properties.push_back(joint_properties(mesh, index, run_case.rock));
     joints.released.push_back(line.kind != FractureKind::intact);
     if (line.kind == FractureKind::natural) {
-      const Point& at = mesh.vertices[unit.vertex].position;
-      const InSitu& in_situ = run_case.in_situ;
-      const double pore_pressure = in_situ.pore_pressure + in_situ.pore_pressure_gradient[0] * at[0] +
-                                   in_situ.pore_pressure_gradient[1] * at[1];
-      joints.ramp[index] = {pore_pressure, pore_pressure, 0, 0, 0};
+      const double p = pore_pressure(run_case.in_situ, mesh.vertices[unit.vertex].position);
+      joints.ramp[index] = {p, p, 0, 0, 0};
     }
   }
   for (const Perforation& perforation : run_case.injection.perforations)

@@ -16,20 +16,27 @@ SegmentKind segment_kind(FractureKind kind) {
   return kind == FractureKind::natural ? SegmentKind::natural : SegmentKind::hydraulic;
 }
 
-NetworkNode make_node(const Mesh& mesh, VertexIndex index, double time) {
+NetworkNode make_node(const Mesh& mesh, VertexIndex index, const Case& run_case, double time) {
   const FractureVertex& vertex = mesh.vertices[index];
   NetworkNode node;
   node.id = index;
   node.x = vertex.position[0];
   node.y = vertex.position[1];
+  node.saturated = std::any_of(vertex.units.begin(), vertex.units.end(), [&](UnitIndex unit) {
+    return mesh.lines[mesh.units[unit].line].kind == FractureKind::natural;
+  });
+  node.formation_pressure = pore_pressure(run_case.in_situ, vertex.position);
   double strength = -1;
-  for (const FractureEdge& edge : mesh.edges) {
-    if (edge.begin != index && edge.end != index) continue;
+  for (const EdgeIndex at : vertex.edges) {
+    const FractureEdge& edge = mesh.edges[at];
+    const FractureLine& line = mesh.lines[edge.line];
     node.lumped_length += edge.length / 2;
-    if (mesh.lines[edge.line].tensile_strength <= strength) continue;
-    strength = mesh.lines[edge.line].tensile_strength;
+    node.joint_compliance += edge.length / 2 * line.joint_compliance;
+    if (line.tensile_strength <= strength) continue;
+    strength = line.tensile_strength;
     node.fracture = edge.line;
   }
+  node.joint_compliance /= node.lumped_length;
   node.exposure_time = time;
   return node;
 }
@@ -41,7 +48,7 @@ NodeRole role_of(std::size_t degree, bool perforated) {
 }
 
 /// Completes `insertion` (its new nodes given) with segments, parents and roles.
-void connect_nodes(const Mesh& mesh, const FractureNetwork& network, Insertion& insertion) {
+void connect_nodes(const Mesh& mesh, const FractureNetwork& network, const Case& run_case, Insertion& insertion) {
   std::set<VertexIndex> members, added;
   for (const NetworkNode& node : network.nodes()) members.insert(vertex_of(node.id));
   for (const NetworkNode& node : insertion.new_nodes) added.insert(vertex_of(node.id));
@@ -55,7 +62,7 @@ void connect_nodes(const Mesh& mesh, const FractureNetwork& network, Insertion& 
     ++degree[edge.begin];
     ++degree[edge.end];
     const bool begin_new = added.contains(edge.begin), end_new = added.contains(edge.end);
-    if (!begin_new && !end_new) continue;
+    if (network.knows_segment(k)) continue;
     insertion.new_segments.push_back(
         {k, edge.begin, edge.end, edge.line, segment_kind(mesh.lines[edge.line].kind), edge.length});
     if (begin_new && !end_new) insertion.parents.push_back({edge.begin, edge.end});
@@ -75,10 +82,11 @@ void connect_nodes(const Mesh& mesh, const FractureNetwork& network, Insertion& 
     if (added.contains(vertex)) continue;
     NetworkNode node = network.nodes()[network.index_of(vertex)];
     const NodeRole role = role_of(degree[vertex], perforated(node.id));
-    const double length = make_node(mesh, vertex, node.exposure_time).lumped_length;
-    if (role == node.role && length == node.lumped_length) continue;
+    const NetworkNode now = make_node(mesh, vertex, run_case, node.exposure_time);
+    if (role == node.role && now.lumped_length == node.lumped_length) continue;
     node.role = role;
-    node.lumped_length = length;
+    node.lumped_length = now.lumped_length;
+    node.joint_compliance = now.joint_compliance;
     insertion.updated_nodes.push_back(node);
   }
 }
@@ -92,7 +100,7 @@ Insertion first_insertion(const Mesh& mesh, const Joints& joints, const Case& ru
     const bool open = std::any_of(units.begin(), units.end(), [&](UnitIndex unit) {
       return joints.properties[unit].kind == FractureKind::open;
     });
-    if (open) insertion.new_nodes.push_back(make_node(mesh, v, 0));
+    if (open) insertion.new_nodes.push_back(make_node(mesh, v, run_case, 0));
   }
   if (insertion.new_nodes.empty() && !run_case.injection.perforations.empty())
     throw InputError("no open fracture has a mesh vertex inside it: lengthen it or lower mesh.fracture_size");
@@ -105,16 +113,16 @@ Insertion first_insertion(const Mesh& mesh, const Joints& joints, const Case& ru
                                    perforation.name, perforation.position[0], perforation.position[1]));
     insertion.new_perforations.push_back({perforation.name, vertex});
   }
-  connect_nodes(mesh, FractureNetwork(), insertion);
+  connect_nodes(mesh, FractureNetwork(), run_case, insertion);
   return insertion;
 }
 
 Insertion connect(const Mesh& mesh, const FractureNetwork& network, const std::vector<VertexIndex>& vertices,
-                  double time) {
+                  const Case& run_case, double time) {
   Insertion insertion;
   insertion.revision = network.revision() + 1;
-  for (const VertexIndex vertex : vertices) insertion.new_nodes.push_back(make_node(mesh, vertex, time));
-  connect_nodes(mesh, network, insertion);
+  for (const VertexIndex vertex : vertices) insertion.new_nodes.push_back(make_node(mesh, vertex, run_case, time));
+  connect_nodes(mesh, network, run_case, insertion);
   return insertion;
 }
 

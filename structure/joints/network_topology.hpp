@@ -18,8 +18,9 @@ inline VertexIndex vertex_of(NodeId node) { return static_cast<VertexIndex>(node
 Insertion first_insertion(const Mesh& mesh, const Joints& joints, const Case& run_case);
 
 /// The change that connects `vertices` (split fracture vertices not yet in `network`) to it at `time` [s]; nodes of the network at new
-/// junctions are updated. Of the mesh only lines, vertices' positions and edges are looked at.
+/// junctions are updated. A vertex on a natural fracture joins saturated, with pore fluid at formation pressure. Of the mesh only lines,
+/// vertices and edges are looked at, and of vertices that are split just now no unit is known yet.
 Insertion connect(const Mesh& mesh, const FractureNetwork& network, const std::vector<VertexIndex>& vertices,
-                  double time);
+                  const Case& run_case, double time);
 
 }  // namespace fissura::structure

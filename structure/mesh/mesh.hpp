@@ -14,6 +14,9 @@ using NodeIndex = std::uint32_t;
 using ElementIndex = std::uint32_t;
 using VertexIndex = std::uint32_t;
 using UnitIndex = std::uint32_t;
+using EdgeIndex = std::uint32_t;
+
+inline constexpr UnitIndex no_unit = 0xffffffffu;
 
 enum class Side : std::uint8_t { west = 0, east = 1, south = 2, north = 3 };
 
@@ -35,6 +38,7 @@ struct FractureVertex {
   Point position{};
   std::vector<UnitIndex> units;  ///< empty at an unsplit end of a line (a tip)
   NodeIndex node = 0;            ///< one of the nodes here; the only one at an unsplit end
+  std::vector<EdgeIndex> edges;  ///< that begin or end here, ascending
 };
 
 /// One mesh edge on a fracture line, in the direction of the line.
@@ -42,6 +46,12 @@ struct FractureEdge {
   VertexIndex begin = 0, end = 0;
   std::uint32_t line = 0;  ///< index into `Mesh::lines`
   double length = 0;       ///< [m]
+  std::array<UnitIndex, 2> unit{no_unit, no_unit};  ///< of which half of this edge is a part, at begin and end; no_unit where unsplit
+
+  /// The other end. @pre `vertex` is one of the two
+  [[nodiscard]] VertexIndex across(VertexIndex vertex) const { return vertex == begin ? end : begin; }
+  /// Unit at the end `vertex`.
+  [[nodiscard]] UnitIndex unit_at(VertexIndex vertex) const { return unit[vertex == begin ? 0 : 1]; }
 };
 
 struct Mesh {
@@ -55,6 +65,9 @@ struct Mesh {
   std::vector<ContactUnit> units;
   std::vector<NodeIndex> unused_nodes;  ///< places in `position` that no element uses, ascending
 };
+
+/// Appends an edge and lists it at its ends; its units are left to the caller. @returns its index
+EdgeIndex add_edge(Mesh& mesh, FractureEdge edge);
 
 /// Area of element `element`, > 0 [m2].
 double element_area(const Mesh& mesh, ElementIndex element);

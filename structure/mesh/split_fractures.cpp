@@ -33,7 +33,7 @@ class Splitter {
     list_corners();
     join_wedges();
     give_nodes_to_wedges();
-    for (const FractureEdge& edge : mesh_.edges) add_to_units(edge);
+    for (FractureEdge& edge : mesh_.edges) add_to_units(edge);
     return std::move(mesh_);
   }
 
@@ -43,14 +43,14 @@ class Splitter {
     const auto vertex = [&](std::uint32_t point) {
       if (vertex_of_point_[point] == none) {
         vertex_of_point_[point] = static_cast<VertexIndex>(mesh_.vertices.size());
-        mesh_.vertices.push_back({planar_.points[point], {}, point});
+        mesh_.vertices.push_back({planar_.points[point], {}, point, {}});
       }
       return vertex_of_point_[point];
     };
     for (const LineEdge& edge : planar_.line_edges) {
       const Point a = planar_.points[edge.begin], b = planar_.points[edge.end];
       const VertexIndex begin = vertex(edge.begin), end = vertex(edge.end);
-      mesh_.edges.push_back({begin, end, edge.line, std::hypot(b[0] - a[0], b[1] - a[1])});
+      add_edge(mesh_, {begin, end, edge.line, std::hypot(b[0] - a[0], b[1] - a[1])});
     }
   }
 
@@ -99,16 +99,16 @@ class Splitter {
     }
   }
 
-  void add_to_units(const FractureEdge& edge) {
+  void add_to_units(FractureEdge& edge) {
     const std::uint32_t begin = mesh_.vertices[edge.begin].node, end = mesh_.vertices[edge.end].node;
     const auto left = left_of_.find(key(begin, end)), right = left_of_.find(key(end, begin));
     ENSURE(left != left_of_.end() && right != left_of_.end());
-    add_half(edge, edge.begin, node(right->second.end), node(left->second.begin));
-    add_half(edge, edge.end, node(right->second.begin), node(left->second.end));
+    edge.unit[0] = add_half(edge, edge.begin, node(right->second.end), node(left->second.begin));
+    edge.unit[1] = add_half(edge, edge.end, node(right->second.begin), node(left->second.end));
   }
 
-  void add_half(const FractureEdge& edge, VertexIndex vertex, NodeIndex minus, NodeIndex plus) {
-    if (minus == plus) return;
+  UnitIndex add_half(const FractureEdge& edge, VertexIndex vertex, NodeIndex minus, NodeIndex plus) {
+    if (minus == plus) return no_unit;
     const Point a = mesh_.vertices[edge.begin].position, b = mesh_.vertices[edge.end].position;
     const auto [found, is_new] = unit_of_pair_.try_emplace(std::minmax(minus, plus), mesh_.units.size());
     if (is_new) {
@@ -121,6 +121,7 @@ class Splitter {
     unit.face[1] += half * (b[0] - a[0]);
     unit.length += edge.length / 2;
     if (lines_[edge.line].tensile_strength > lines_[unit.line].tensile_strength) unit.line = edge.line;
+    return static_cast<UnitIndex>(found->second);
   }
 
   [[nodiscard]] NodeIndex node(std::uint32_t corner) const { return mesh_.elements[corner / 3][corner % 3]; }

@@ -10,7 +10,7 @@ TEST_CASE("malformed case 10: an unknown key is answered with the one that was m
           "[common][case][malformed]") {
   check_refused(
       "gradation = 0.15", "@gradatoin = 0.15\ngradation = 0.15",
-      "mesh.gradatoin: found an unknown key, expected one of fracture_size, far_size, corridor, gradation, "
+      "mesh.gradatoin: found an unknown key, expected one of fracture_size, natural_size, far_size, corridor, gradation, "
       "seed, tip_size, tip_radius, tip_gradation, lattice_angle, refinement; did you mean \"gradation\"?");
 }
 

@@ -146,10 +146,9 @@ Mesh mesh_with_line(const Grid& grid, double half_length) {
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
     if (!inside(i) && !inside(i - 1) && !inside(i + 1)) continue;
     const auto vertex = static_cast<VertexIndex>(mesh.vertices.size());
-    mesh.vertices.push_back({mesh.position[line[i]], {}, line[i]});
+    mesh.vertices.push_back({mesh.position[line[i]], {}, line[i], {}});
     if (inside(i - 1) || (inside(i) && vertex > 0))
-      mesh.edges.push_back(
-          {vertex - 1, vertex, 0, mesh.position[line[i]][0] - mesh.position[line[i - 1]][0]});
+      add_edge(mesh, {vertex - 1, vertex, 0, mesh.position[line[i]][0] - mesh.position[line[i - 1]][0]});
     if (!inside(i)) continue;
     const double length = 0.5 * (mesh.position[line[i + 1]][0] - mesh.position[line[i - 1]][0]);
     plus[line[i]] = static_cast<NodeIndex>(mesh.position.size());

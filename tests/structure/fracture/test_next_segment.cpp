@@ -34,7 +34,7 @@ struct Lines {
 
   void join(VertexIndex a, VertexIndex b) {
     const Point &p = mesh.vertices[a].position, &q = mesh.vertices[b].position;
-    mesh.edges.push_back({a, b, 0, std::hypot(q[0] - p[0], q[1] - p[1])});
+    add_edge(mesh, {a, b, 0, std::hypot(q[0] - p[0], q[1] - p[1])});
   }
 
   void add_side_node(Side side, Point at) {

@@ -39,7 +39,7 @@ struct Fracture {
         mesh.units.push_back(unit);
       }
       mesh.vertices.push_back(vertex);
-      if (v > 0) mesh.edges.push_back({v - 1, v, v > 2 && v < 7 ? 0u : 1u, 1});
+      if (v > 0) add_edge(mesh, {v - 1, v, v > 2 && v < 7 ? 0u : 1u, 1});
     }
     joints = make_joints(mesh, run_case);
   }
@@ -62,7 +62,7 @@ TEST_CASE("growth at both tips connects each new vertex to its neighbour", "[str
   Fracture fracture;
   FractureNetwork network;
   network.apply(first_insertion(fracture.mesh, fracture.joints, fracture.run_case));
-  const Insertion growth = connect(fracture.mesh, network, {2, 6}, 1.5);
+  const Insertion growth = connect(fracture.mesh, network, {2, 6}, fracture.run_case, 1.5);
   CHECK(growth.revision == 1);
   REQUIRE(growth.new_nodes.size() == 2);
   CHECK(growth.new_nodes[0].exposure_time == 1.5);
@@ -87,7 +87,7 @@ TEST_CASE("the network is told gap plus stored aperture, and the pressure that w
   Fracture fracture;
   FractureNetwork network;
   network.apply(first_insertion(fracture.mesh, fracture.joints, fracture.run_case));
-  network.apply(connect(fracture.mesh, network, {6}, 0));
+  network.apply(connect(fracture.mesh, network, {6}, fracture.run_case, 0));
   fracture.joints.state[3].opening = 1e-4;
   fracture.joints.state[3].closed = false;
   fracture.joints.state[5].held_normal = -5e6;

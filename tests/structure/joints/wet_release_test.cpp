@@ -39,7 +39,7 @@ struct Wing {
         mesh.units.push_back(unit);
       }
       mesh.vertices.push_back(vertex);
-      if (v > 0) mesh.edges.push_back({v - 1, v, v < 3 ? 0u : 1u, 1});
+      if (v > 0) add_edge(mesh, {v - 1, v, v < 3 ? 0u : 1u, 1});
     }
     joints = make_joints(mesh, run_case);
     network.apply(first_insertion(mesh, joints, run_case));
