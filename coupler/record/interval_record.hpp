@@ -9,12 +9,13 @@ namespace fissura::coupler {
 struct Ledger {
   double injected = 0;
   double in_place = 0;
+  double found = 0;  ///< pore fluid of natural fractures that joined after the start
   double in_fractures = 0;
   double leaked = 0;
   double reset = 0;
   double residual = 0;
 
-  /// |residual| over the largest volume that has been through the book (injected, produced or in place).
+  /// |residual| over the largest volume that has been through the book (injected, produced, in place or found).
   double relative_residual = 0;
 };
 

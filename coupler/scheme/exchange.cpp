@@ -54,10 +54,12 @@ Ledger read_ledger(const nlohmann::json& object) {
   Ledger ledger;
   ledger.injected = entry<double>(object, "injected");
   ledger.in_place = entry<double>(object, "in_place");
+  if (object.contains("found")) ledger.found = entry<double>(object, "found");
   ledger.in_fractures = entry<double>(object, "in_fractures");
   ledger.leaked = entry<double>(object, "leaked");
   ledger.reset = entry<double>(object, "reset");
-  ledger.residual = ledger.injected + ledger.in_place + ledger.reset - ledger.in_fractures - ledger.leaked;
+  ledger.residual =
+      ledger.injected + ledger.in_place + ledger.found + ledger.reset - ledger.in_fractures - ledger.leaked;
   ledger.relative_residual = relative_residual(ledger);
   return ledger;
 }
@@ -65,7 +67,8 @@ Ledger read_ledger(const nlohmann::json& object) {
 }  // namespace
 
 double relative_residual(const Ledger& ledger) {
-  const double largest = std::max({std::abs(ledger.injected), ledger.in_place, ledger.in_fractures, ledger.leaked});
+  const double largest = std::max(
+      {std::abs(ledger.injected), ledger.in_place, ledger.found, ledger.in_fractures, ledger.leaked});
   return largest > 0 ? std::abs(ledger.residual) / largest : 0;
 }
 
