@@ -125,7 +125,6 @@ TEST_CASE("the verdict knows the side to which a natural fracture leans only fro
   CHECK(critical(rule, leaning(-120, 10)) == Approx(turned_towards).epsilon(1e-12));
   CHECK(critical(rule, leaning(-60, -10)) == Approx(turned_towards).epsilon(1e-12));
   // The greatest compression turned towards the natural fracture presses its faces together less.
-  // nearer to it.
   CHECK(turned_towards > aligned + .05);
   CHECK(critical(rule, leaning(60, -10)) < aligned - .05);
 }
