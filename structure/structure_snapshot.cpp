@@ -13,7 +13,7 @@ namespace {
 
 enum class SavedGeometry : std::uint8_t { of_the_case, included };
 
-constexpr std::uint64_t format = 4;
+constexpr std::uint64_t format = 5;
 
 std::string text_of(const std::vector<Insertion>& insertions) {
   nlohmann::json list = nlohmann::json::array();
@@ -67,6 +67,7 @@ std::vector<std::byte> save_snapshot(const Snapshot& snapshot, const Geometry& g
   save_joints(snapshot.state.joints, bytes);
   bytes.put(snapshot.state.mass_scaling);
   bytes.put(snapshot.state.failure_work_gone);
+  bytes.put(snapshot.state.crossing_seeds);
   return bytes.take();
 }
 
@@ -100,6 +101,7 @@ Snapshot restore_snapshot(const std::vector<std::byte>& bytes, const StructureMo
   restore_joints(reader, snapshot.state.joints);
   reader.get(snapshot.state.mass_scaling);
   reader.get(snapshot.state.failure_work_gone);
+  reader.get(snapshot.state.crossing_seeds);
   reader.end();
   require_same_mesh(found.mesh, snapshot.state);
   if (!damage.empty()) snapshot.state.body.damage = damage_from_records(found.tiles, damage);

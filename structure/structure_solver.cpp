@@ -10,6 +10,7 @@
 #include "common/fracture_network/insertion_json.hpp"
 #include "common/log.hpp"
 #include "structure/fracture/growth.hpp"
+#include "structure/joints/joining_vertices.hpp"
 #include "structure/joints/joint_observation.hpp"
 #include "structure/joints/network_topology.hpp"
 #include "structure/joints/wet_release.hpp"
@@ -53,7 +54,9 @@ void StructureSolver::describe_state(Message& reply) {
   reply.body["mass_scale"] = state_->mass_scaling.scale();
   reply.body["elements"] = geometry_.mesh.elements.size();
   if (!remeshing_.empty()) reply.body["remeshing"] = remeshing_json(remeshing_);
+  if (!meetings_.empty()) reply.body["meetings"] = meetings_json(meetings_);
   remeshing_.clear();
+  meetings_.clear();
 }
 
 Message StructureSolver::advance(const Message& command) {
@@ -87,6 +90,7 @@ std::string StructureSolver::insert(const Insertion& insertion) {
       throw ProtocolError(fmt::format("INSERT of revision {} is not the growth that the structure proposed",
                                       insertion.revision));
     if (failing_tips_) failing_tips_->dry(geometry_);
+    meetings_ = growth_->meetings;
     remeshing_ = grow(*growth_, *model_, geometry_, *state_);
     growth_.reset();
     rebuild_run();
@@ -157,7 +161,8 @@ std::optional<Insertion> StructureSolver::propose_growth() {
     if (growth_) return growth_->insertion;
   }
   const std::vector<VertexIndex> vertices =
-      vertices_to_release(geometry_.mesh, state_->joints, geometry_.network);
+      joining_vertices(geometry_.mesh, state_->joints, geometry_.network,
+                       {vertices_to_release(geometry_.mesh, state_->joints, geometry_.network), {}});
   if (vertices.empty()) return std::nullopt;
   return connect(geometry_.mesh, geometry_.network, vertices, model_->run_case, time_);
 }

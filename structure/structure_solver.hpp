@@ -38,6 +38,7 @@ class StructureSolver : public Solver {
   LoopTimes earlier_loops_;                      ///< of runs before the last change of the geometry
   std::optional<FailingTips> failing_tips_;      ///< with TipRule::damage
   std::optional<GrowthPlan> growth_;             ///< proposed to the coupler, not yet carried out
+  std::vector<Meeting> meetings_;  ///< of the last insertion, not yet told
   std::vector<RemeshRecord> remeshing_;          ///< of the last insertion, until it is acknowledged
   double time_ = 0;                              ///< of the last coupling [s]
   std::uint64_t steps_ = 0;                      ///< explicit steps so far

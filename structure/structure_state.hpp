@@ -11,6 +11,7 @@
 #include "structure/material/elasticity.hpp"
 #include "structure/dynamics/mass_scaling.hpp"
 #include "structure/dynamics/tiles.hpp"
+#include "structure/fracture/crossing_seed.hpp"
 #include "structure/joints/joint_state.hpp"
 #include "structure/mesh/mesh.hpp"
 #include "structure/mesh/mesh_change.hpp"
@@ -47,6 +48,7 @@ struct StructureState {
   /// Work of failure that insertions took out of the elements and did not give to the cohesion of the faces; may be negative. With it the
   /// work of failure and cohesion together goes on without a jump. Changes at coupling times only. [J/m]
   double failure_work_gone = 0;
+  std::vector<CrossingSeed> crossing_seeds;  ///< change at coupling times only
 };
 
 /// Meshes the case and builds everything that depends on the mesh. Throws InputError if it cannot be meshed.

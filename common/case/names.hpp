@@ -52,6 +52,14 @@ inline constexpr std::array persistence_readings{Named<PersistenceReading>{"repe
 inline constexpr std::array tip_rules{Named<TipRule>{"insertion", TipRule::insertion},
                                       Named<TipRule>{"damage", TipRule::damage}};
 
+/// The name of a value. @pre it has one
+template <class E, std::size_t N>
+std::string name_of(E value, const std::array<Named<E>, N>& names) {
+  for (const Named<E>& entry : names)
+    if (entry.value == value) return std::string(entry.name);
+  return {};
+}
+
 /// The names alone, in order.
 template <class E, std::size_t N>
 std::vector<std::string> texts_of(const std::array<Named<E>, N>& names) {

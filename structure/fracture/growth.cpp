@@ -12,6 +12,7 @@
 #include "structure/fracture/connected_elements.hpp"
 #include "structure/fracture/hand_over.hpp"
 #include "structure/fracture/state_transfer.hpp"
+#include "structure/joints/network_topology.hpp"
 
 namespace fissura::structure {
 
@@ -19,20 +20,64 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+bool joins_network(const GrowthPlan& plan, VertexIndex vertex) {
+  const auto& joining = plan.insertion.new_nodes;
+  return std::any_of(joining.begin(), joining.end(),
+                     [&](const NetworkNode& node) { return vertex_of(node.id) == vertex; });
+}
+
+bool on_natural_fracture(const Mesh& mesh, const Joints& joints, VertexIndex vertex) {
+  const auto& units = mesh.vertices[vertex].units;
+  return std::any_of(units.begin(), units.end(), [&](UnitIndex unit) {
+    return unit < joints.properties.size() && joints.properties[unit].kind == FractureKind::natural;
+  });
+}
+
+// Fresh faces are dry where the fluid of the network will reach them. Elsewhere, and where a natural fracture is met, pore fluid fills them.
+double pressure_on_fresh_faces(const GrowthPlan& plan, const Geometry& geometry, const Case& run_case,
+                               const Joints& joints, VertexIndex vertex) {
+  const bool reached = geometry.network.contains(vertex) || joins_network(plan, vertex);
+  if (reached && !on_natural_fracture(geometry.mesh, joints, vertex)) return 0;
+  return pore_pressure(run_case.in_situ, geometry.mesh.vertices[vertex].position);
+}
+
 // A unit that is a part of an older one starts with all it knew; the others are fresh breaks of the rock.
-void extend_joints(const GrowthPlan& plan, const MeshInsertion& insertion, const Mesh& mesh, const Rock& rock,
-                   Joints& joints) {
+void extend_joints(const GrowthPlan& plan, const MeshInsertion& insertion, const Geometry& geometry,
+                   const Case& run_case, Joints& joints) {
   UnitIndex next = insertion.change.new_units.empty() ? 0 : insertion.change.new_units.front();
   for (const PatchPlan& patch : plan.patches)
     for (const PlannedUnit& planned : patch.units) {
       if (planned.same) continue;
-      joints.properties.push_back(planned.source ? joints.properties[*planned.source]
-                                                 : joint_properties(mesh, next, rock));
-      joints.state.push_back(planned.source ? joints.state[*planned.source] : JointState{});
-      joints.ramp.push_back(planned.source ? joints.ramp[*planned.source] : PressureRamp{});
+      if (planned.source) {
+        const UnitIndex source = *planned.source;
+        joints.properties.push_back(joints.properties[source]);
+        joints.state.push_back(joints.state[source]);
+        joints.ramp.push_back(joints.ramp[source]);
+      } else {
+        const double pressure = pressure_on_fresh_faces(plan, geometry, run_case, joints, planned.vertex);
+        joints.properties.push_back(joint_properties(geometry.mesh, next, run_case.rock));
+        joints.state.emplace_back().pressure = pressure;
+        joints.ramp.push_back({pressure, pressure, 0, 0, 0});
+      }
       joints.released.push_back(1);
       ++next;
     }
+}
+
+// A seed is spent where a segment begins, and where another fracture comes out on the far side.
+void follow_crossing_seeds(const GrowthPlan& plan, const Mesh& mesh, std::vector<CrossingSeed>& seeds) {
+  for (const PatchPlan& patch : plan.patches)
+    std::erase_if(seeds, [&](const CrossingSeed& seed) {
+      return seed.vertex == patch.new_edges.front().begin || seed.vertex == patch.new_edges.back().end;
+    });
+  for (std::size_t k = 0; k < plan.meetings.size(); ++k) {
+    const Meeting& meeting = plan.meetings[k];
+    if (!meeting.verdict.crosses) continue;
+    EdgeIndex last = static_cast<EdgeIndex>(mesh.edges.size() - 1);
+    for (std::size_t later = plan.patches.size() - 1; later > plan.meeting_patch[k]; --later)
+      last -= static_cast<EdgeIndex>(plan.patches[later].new_edges.size());
+    seeds.push_back({meeting.junction, last, meeting.direction});
+  }
 }
 
 std::vector<ElementIndex> removed_elements(const GrowthPlan& plan) {
@@ -116,6 +161,7 @@ std::vector<ElementIndex> tip_surroundings(const StructureModel& model, const Ge
     elements.insert(elements.end(), near.begin(), near.end());
   };
   for (const FractureTip& tip : fracture_tips(mesh)) add_around(tip.node);
+  for (const FractureTip& tip : natural_ends(mesh, joints)) add_around(tip.node);
   for (UnitIndex unit = 0; unit < mesh.units.size(); ++unit) {
     if (joints.properties[unit].cohesive.strength == 0 || joints.broken(unit)) continue;
     add_around(mesh.units[unit].minus);
@@ -142,7 +188,8 @@ std::vector<RemeshRecord> grow(const GrowthPlan& plan, const StructureModel& mod
 
   const MeshInsertion insertion = insert_into_mesh(plan, geometry.mesh);
   follow(model, insertion.change, geometry);
-  extend_joints(plan, insertion, geometry.mesh, model.run_case.rock, state.joints);
+  extend_joints(plan, insertion, geometry, model.run_case, state.joints);
+  follow_crossing_seeds(plan, geometry.mesh, state.crossing_seeds);
   const TransferBalance balance = transfer.carry_over(insertion, geometry, state);
   if (model.run_case.bulk_failure.active) {
     const RockFailure law = rock_failure(model.run_case.rock, model.run_case.bulk_failure);

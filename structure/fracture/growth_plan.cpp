@@ -13,6 +13,7 @@
 #include "structure/fracture/nucleation.hpp"
 #include "structure/fracture/patch_selection.hpp"
 #include "structure/fracture/tip_stress.hpp"
+#include "structure/joints/joining_vertices.hpp"
 #include "structure/joints/network_topology.hpp"
 #include "structure/mesh/segment_tree.hpp"
 
@@ -51,37 +52,55 @@ class GrowthPlanner {
 
   std::optional<GrowthPlan> plan(double time) {
     GrowthPlan plan;
-    Mesh fractures = fractures_of(geometry_.mesh);
-    std::vector<VertexIndex> released;
-    const auto add = [&](std::optional<PatchPlan> patch) {
-      if (!patch) return;
-      fractures.vertices.insert(fractures.vertices.end(), patch->new_vertices.begin(),
-                                patch->new_vertices.end());
-      for (const FractureEdge& edge : patch->new_edges) add_edge(fractures, edge);
-      fractures.lines.resize(geometry_.mesh.lines.size());
-      fractures.lines.insert(fractures.lines.end(), plan.new_lines.begin(), plan.new_lines.end());
-      for (const VertexIndex vertex : patch->split)
-        if (!geometry_.network.contains(vertex)) released.push_back(vertex);
-      plan.patches.push_back(std::move(*patch));
-    };
-    for (const FractureTip& tip : fracture_tips(geometry_.mesh))
-      if (const auto ends = next_ends(tip)) add(plan_growth_of(tip, *ends, fractures, plan));
+    for (const FractureTip& tip : tips())
+      if (const auto ends = next_ends(tip)) {
+        const auto meeting = meet(now_, tip, ends->back(), time);
+        if (!add(plan_growth_of(tip, *ends, plan), plan, arrivals_.split) || !meeting) continue;
+        plan.meetings.push_back(*meeting);
+        plan.meeting_patch.push_back(plan.patches.size() - 1);
+      }
     if (model_.run_case.growth.nucleation)
-      for (const Nucleus& nucleus : nuclei(now_, *map_)) add(plan_nucleus(nucleus, fractures, plan));
+      for (const Nucleus& nucleus : nuclei(now_, *map_)) add(plan_nucleus(nucleus, plan), plan, arrivals_.nucleated);
     if (plan.patches.empty()) return std::nullopt;
-    std::sort(released.begin(), released.end());
-    plan.insertion = connect(fractures, geometry_.network, released, model_.run_case, time);
+    plan.insertion = connect(*fractures_, geometry_.network,
+                             joining_vertices(*fractures_, state_.joints, geometry_.network, arrivals_),
+                             model_.run_case, time);
     return plan;
   }
 
  private:
-  static Mesh fractures_of(const Mesh& mesh) {
-    Mesh fractures;
-    fractures.lines = mesh.lines;
-    fractures.vertices = mesh.vertices;
-    fractures.edges = mesh.edges;
-    fractures.units = mesh.units;
-    return fractures;
+  [[nodiscard]] std::vector<FractureTip> tips() const {
+    std::vector<FractureTip> tips = fracture_tips(geometry_.mesh);
+    if (model_.run_case.growth.tip == TipRule::damage) return tips;
+    for (const FractureTip& tip : natural_ends(geometry_.mesh, state_.joints)) tips.push_back(tip);
+    for (const FractureTip& tip : crossing_tips(geometry_, state_.crossing_seeds)) tips.push_back(tip);
+    return tips;
+  }
+
+  // Returns whether there was a patch.
+  bool add(std::optional<PatchPlan> patch, GrowthPlan& plan, std::vector<VertexIndex>& split) {
+    if (!patch) return false;
+    Mesh& fractures = planned_fractures();
+    fractures.vertices.insert(fractures.vertices.end(), patch->new_vertices.begin(), patch->new_vertices.end());
+    for (const FractureEdge& edge : patch->new_edges) add_edge(fractures, edge);
+    fractures.lines.resize(geometry_.mesh.lines.size());
+    fractures.lines.insert(fractures.lines.end(), plan.new_lines.begin(), plan.new_lines.end());
+    for (const VertexIndex vertex : patch->split)
+      if (!geometry_.network.contains(vertex)) split.push_back(vertex);
+    plan.patches.push_back(std::move(*patch));
+    return true;
+  }
+
+  // The fractures as they will be, without the units to come.
+  Mesh& planned_fractures() {
+    if (!fractures_) {
+      fractures_.emplace();
+      fractures_->lines = geometry_.mesh.lines;
+      fractures_->vertices = geometry_.mesh.vertices;
+      fractures_->edges = geometry_.mesh.edges;
+      fractures_->units = geometry_.mesh.units;
+    }
+    return *fractures_;
   }
 
   [[nodiscard]] InPlane<double> average(const FractureTip& tip, double radius, double width,
@@ -92,51 +111,55 @@ class GrowthPlanner {
                           {tip.position, tip.node, tip.direction, radius * h, width * h, weighting});
   }
 
-  [[nodiscard]] bool fails(const FractureTip& tip) const {
+  [[nodiscard]] bool fails(const FractureTip& tip, double greatest_stress) const {
     const Rock& rock = model_.run_case.rock;
     const double strength = tip_strength(rock.tensile_strength, rock.fracture_energy,
                                          rock.plane_strain_modulus(), controls_.tip_size);
     const double pressure = std::max(adjacent_pressure(geometry_.mesh, state_.joints, tip),
                                      in_situ_state(model_.run_case, tip.position).pore_pressure);
-    const Principal stress =
-        principal(average(tip, trigger_radius, trigger_width, HalfDisc::Weighting::near));
-    return stress.major + pressure >= model_.run_case.growth.trigger * strength;
+    return greatest_stress + pressure >= model_.run_case.growth.trigger * strength;
+  }
+
+  // Direction in which the rock ahead of a tip fails; nothing if it does not.
+  [[nodiscard]] std::optional<std::array<double, 2>> failing_direction(const FractureTip& tip) const {
+    if (!fails(tip, principal(average(tip, trigger_radius, trigger_width, HalfDisc::Weighting::near)).major))
+      return std::nullopt;
+    return growth_direction(average(tip, direction_radius, direction_width, HalfDisc::Weighting::ahead), tip.direction,
+                            model_.run_case.growth.turn_limit);
   }
 
   [[nodiscard]] std::optional<std::vector<SegmentEnd>> next_ends(const FractureTip& tip) const {
     const Growth& growth = model_.run_case.growth;
     if (growth.tip == TipRule::damage) return failure_path(now_, *map_, tip);
-    if (!fails(tip)) return std::nullopt;
+    const auto direction = failing_direction(tip);
+    if (!direction) return std::nullopt;
     const double h = controls_.tip_size;
-    const auto direction =
-        growth_direction(average(tip, direction_radius, direction_width, HalfDisc::Weighting::ahead),
-                         tip.direction, growth.turn_limit);
     const NextSegment segment =
-        next_segment(geometry_.mesh, model_.run_case.domain, tip, direction, growth.segment_length * h, h);
+        next_segment(geometry_.mesh, model_.run_case.domain, tip, *direction, growth.segment_length * h, h);
     if (!segment.end) return std::nullopt;
     return std::vector{*segment.end};
   }
 
   std::optional<PatchPlan> plan_growth_of(const FractureTip& tip, const std::vector<SegmentEnd>& ends,
-                                          const Mesh& fractures, GrowthPlan& plan) {
+                                          GrowthPlan& plan) {
     std::vector<LineVertex> line{{tip.position, tip.vertex}};
     for (const SegmentEnd& end : ends)
       line.push_back(
           {end.position, end.kind == SegmentEnd::Kind::fracture ? std::optional(end.vertex) : std::nullopt});
     return plan_line(
-        line, tip.node, [&] { return line_of(tip, plan); }, fractures);
+        line, tip.node, [&] { return line_of(tip, plan); });
   }
 
-  std::optional<PatchPlan> plan_nucleus(const Nucleus& nucleus, const Mesh& fractures, GrowthPlan& plan) {
+  std::optional<PatchPlan> plan_nucleus(const Nucleus& nucleus, GrowthPlan& plan) {
     std::vector<LineVertex> line;
     for (const Point& point : nucleus.line) line.push_back({point, std::nullopt});
     return plan_line(
-        line, nucleus.node, [&] { return new_line(plan); }, fractures);
+        line, nucleus.node, [&] { return new_line(plan); });
   }
 
   template <class LineIndex>
   std::optional<PatchPlan> plan_line(const std::vector<LineVertex>& line, NodeIndex node,
-                                     const LineIndex& line_index, const Mesh& fractures) {
+                                     const LineIndex& line_index) {
     const double h = controls_.tip_size;
     std::vector<Point> points;
     for (const LineVertex& vertex : line) points.push_back(vertex.position);
@@ -150,12 +173,16 @@ class GrowthPlanner {
       const auto mesh = mesh_patch(edge, points, choice.field, least_altitude * h);
       if (!mesh) continue;
       take(choice.elements);
-      return plan_patch({geometry_.mesh, geometry_.node_elements, fractures.vertices.size(), line_index()},
+      return plan_patch({geometry_.mesh, geometry_.node_elements, fracture_vertices(), line_index()},
                         line, choice.elements, edge, *mesh);
     }
     log::warn(fmt::format("no good mesh for a fracture from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m: it waits",
                           points.front()[0], points.front()[1], points.back()[0], points.back()[1]));
     return std::nullopt;
+  }
+
+  [[nodiscard]] std::size_t fracture_vertices() const {
+    return fractures_ ? fractures_->vertices.size() : geometry_.mesh.vertices.size();
   }
 
   // Nodes of the patch and of the elements around it: an insertion gives some of those another node.
@@ -211,6 +238,8 @@ class GrowthPlanner {
   RockNow now_{model_, geometry_, state_};
   std::optional<FailureMap> map_;  // where fractures form out of failed rock
   std::unordered_set<NodeIndex> taken_;
+  std::optional<Mesh> fractures_;  // once a patch is planned
+  Arrivals arrivals_;
 };
 
 }  // namespace

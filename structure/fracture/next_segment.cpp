@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_set>
 #include <vector>
 
 #include "structure/mesh/segment_tree.hpp"
@@ -20,6 +21,7 @@ constexpr double near_boundary = 1.2;
 constexpr double longest_reach = 2.5;
 constexpr double price_of_length = 0.2;       // against lateral distance, in the choice of a vertex to join
 constexpr double least_angle_at_join = 0.35;  // [rad]
+constexpr int edges_next_to_tip = 4;
 
 double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
@@ -35,18 +37,18 @@ double segment_distance(const Point& a, const Point& b, const FractureEdge& edge
                    distance_to_segment(d, a, b)});
 }
 
-std::vector<bool> vertices_of_own_fracture(const Mesh& mesh, VertexIndex start) {
-  std::vector<bool> own(mesh.vertices.size(), false);
-  own[start] = true;
-  for (bool grew = true; grew;) {
-    grew = false;
-    for (const FractureEdge& edge : mesh.edges)
-      if (own[edge.begin] != own[edge.end]) {
-        own[edge.begin] = own[edge.end] = true;
-        grew = true;
-      }
+/// Vertices within a few edges of a tip: its own end and, at a junction, the arms there.
+std::unordered_set<VertexIndex> vertices_next_to(const Mesh& mesh, VertexIndex tip) {
+  std::unordered_set<VertexIndex> near{tip};
+  std::vector<VertexIndex> front{tip};
+  for (int k = 0; k < edges_next_to_tip; ++k) {
+    std::vector<VertexIndex> next;
+    for (const VertexIndex vertex : front)
+      for (const EdgeIndex edge : mesh.vertices[vertex].edges)
+        if (const VertexIndex other = mesh.edges[edge].across(vertex); near.insert(other).second) next.push_back(other);
+    front = std::move(next);
   }
-  return own;
+  return near;
 }
 
 struct Aim {
@@ -74,12 +76,12 @@ bool joins_at_fair_angle(const Mesh& mesh, const FractureTip& tip, VertexIndex v
 }
 
 std::optional<SegmentEnd> join(const Mesh& mesh, const FractureTip& tip, const std::array<double, 2>& direction,
-                               const std::vector<bool>& own, double reach) {
+                               const std::unordered_set<VertexIndex>& own, double reach) {
   std::optional<SegmentEnd> best;
   double least = std::numeric_limits<double>::infinity();
   for (VertexIndex v = 0; v < mesh.vertices.size(); ++v) {
     const Point& at = mesh.vertices[v].position;
-    if (own[v] || distance(at, tip.position) > reach) continue;
+    if (own.contains(v) || distance(at, tip.position) > reach) continue;
     const Aim seen = aim(tip, direction, at);
     if (seen.along <= 0 || seen.cost() >= least || !joins_at_fair_angle(mesh, tip, v)) continue;
     least = seen.cost();
@@ -124,16 +126,23 @@ std::array<double, 2> growth_direction(const InPlane<double>& stress, const std:
 NextSegment next_segment(const Mesh& mesh, const Domain& domain, const FractureTip& tip,
                          const std::array<double, 2>& direction, double length, double h) {
   const Point end{tip.position[0] + length * direction[0], tip.position[1] + length * direction[1]};
-  const std::vector<bool> own = vertices_of_own_fracture(mesh, tip.vertex);
-  bool meets_other = false;
+  const std::unordered_set<VertexIndex> own = vertices_next_to(mesh, tip.vertex);
+  bool meets_other = false, crosses_other = false;
   for (const FractureEdge& edge : mesh.edges) {
     if (edge.begin == tip.vertex || edge.end == tip.vertex) continue;
     const double gap = segment_distance(tip.position, end, edge, mesh);
-    if (own[edge.begin] && gap < near_own * h) return {std::nullopt, Obstacle::own_fracture};
-    meets_other = meets_other || (!own[edge.begin] && gap < near_other * h);
+    if (own.contains(edge.begin) && own.contains(edge.end)) {
+      const Point &a = mesh.vertices[edge.begin].position, &b = mesh.vertices[edge.end].position;
+      if (gap < near_own * h && gap < distance_to_segment(tip.position, a, b)) return {std::nullopt, Obstacle::own_fracture};
+      continue;
+    }
+    meets_other = meets_other || gap < near_other * h;
+    crosses_other = crosses_other || gap == 0;
   }
-  if (meets_other)
+  if (meets_other) {
     if (const auto joined = join(mesh, tip, direction, own, longest_reach * h)) return {joined, std::nullopt};
+    if (crosses_other) return {std::nullopt, Obstacle::no_vertex_to_join};
+  }
   if (distance_inside(domain, end) < near_boundary * h) {
     const auto through = break_through(mesh, domain, tip, direction, longest_reach * h);
     if (!through) return {std::nullopt, Obstacle::boundary_too_coarse};

@@ -22,7 +22,11 @@ struct SegmentEnd {
 };
 
 /// Why a segment is not inserted although the rock ahead of the tip has failed.
-enum class Obstacle { own_fracture, boundary_too_coarse };
+enum class Obstacle {
+  own_fracture,         ///< it would turn back on itself
+  no_vertex_to_join,    ///< it would cross a fracture that has no vertex within reach at a fair angle
+  boundary_too_coarse
+};
 
 struct NextSegment {
   std::optional<SegmentEnd> end;
@@ -31,8 +35,9 @@ struct NextSegment {
 
 /// Ends the segment of this direction (unit vector) and length [m] from `tip`. `h` is the element size at the tip [m], the measure of
 /// all distances:
-///  - it ends on another fracture, at the vertex most nearly ahead, if it would cross it or end too near to it;
-///  - it does not come near its own fracture;
+///  - it ends on another fracture, at the vertex most nearly ahead, if it would cross it or end too near to it; the other may be connected
+///    to its own one elsewhere;
+///  - it does not turn back on the edges next to the tip;
 ///  - it ends on a side of the domain, at the mesh node most nearly ahead, if it would leave too little rock before it.
 NextSegment next_segment(const Mesh& mesh, const Domain& domain, const FractureTip& tip,
                          const std::array<double, 2>& direction, double length, double h);

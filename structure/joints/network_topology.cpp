@@ -7,6 +7,7 @@
 #include <set>
 
 #include "common/errors.hpp"
+#include "structure/joints/joining_vertices.hpp"
 
 namespace fissura::structure {
 
@@ -55,7 +56,6 @@ void connect_nodes(const Mesh& mesh, const FractureNetwork& network, const Case&
   members.insert(added.begin(), added.end());
 
   std::vector<std::size_t> degree(mesh.vertices.size(), 0);
-  std::set<VertexIndex> touched = added;
   for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
     const FractureEdge& edge = mesh.edges[k];
     if (!members.contains(edge.begin) || !members.contains(edge.end)) continue;
@@ -67,7 +67,6 @@ void connect_nodes(const Mesh& mesh, const FractureNetwork& network, const Case&
         {k, edge.begin, edge.end, edge.line, segment_kind(mesh.lines[edge.line].kind), edge.length});
     if (begin_new && !end_new) insertion.parents.push_back({edge.begin, edge.end});
     if (end_new && !begin_new) insertion.parents.push_back({edge.end, edge.begin});
-    touched.insert({edge.begin, edge.end});
   }
 
   const auto& given = insertion.new_perforations;
@@ -78,7 +77,8 @@ void connect_nodes(const Mesh& mesh, const FractureNetwork& network, const Case&
   };
   for (NetworkNode& node : insertion.new_nodes)
     node.role = role_of(degree[vertex_of(node.id)], perforated(node.id));
-  for (const VertexIndex vertex : touched) {
+  // An edge that the network does not reach yet lengthens the nodes it begins at.
+  for (const VertexIndex vertex : members) {
     if (added.contains(vertex)) continue;
     NetworkNode node = network.nodes()[network.index_of(vertex)];
     const NodeRole role = role_of(degree[vertex], perforated(node.id));
@@ -89,6 +89,13 @@ void connect_nodes(const Mesh& mesh, const FractureNetwork& network, const Case&
     node.joint_compliance = now.joint_compliance;
     insertion.updated_nodes.push_back(node);
   }
+}
+
+/// Natural fractures that the open ones of `insertion` touch.
+std::vector<VertexIndex> touched_by(const Mesh& mesh, const Joints& joints, const Insertion& insertion) {
+  FractureNetwork open;
+  open.apply(insertion);
+  return joining_vertices(mesh, joints, open, {});
 }
 
 }  // namespace
@@ -102,6 +109,8 @@ Insertion first_insertion(const Mesh& mesh, const Joints& joints, const Case& ru
     });
     if (open) insertion.new_nodes.push_back(make_node(mesh, v, run_case, 0));
   }
+  for (const VertexIndex v : touched_by(mesh, joints, insertion))
+    insertion.new_nodes.push_back(make_node(mesh, v, run_case, 0));
   if (insertion.new_nodes.empty() && !run_case.injection.perforations.empty())
     throw InputError("no open fracture has a mesh vertex inside it: lengthen it or lower mesh.fracture_size");
   for (const Perforation& perforation : run_case.injection.perforations) {

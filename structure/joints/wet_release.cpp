@@ -36,6 +36,7 @@ std::vector<VertexIndex> vertices_to_release(const Mesh& mesh, const Joints& joi
 
 void release(const Mesh& mesh, VertexIndex vertex, Joints& joints) {
   for (const UnitIndex unit : mesh.vertices[vertex].units) {
+    if (joints.released[unit]) continue;
     joints.released[unit] = 1;
     joints.ramp[unit] = {};
     joints.state[unit].pressure = 0;

@@ -16,7 +16,7 @@ namespace fissura::structure {
 /// @returns mesh vertices, ascending, each once
 std::vector<VertexIndex> vertices_to_release(const Mesh& mesh, const Joints& joints, const FractureNetwork& network);
 
-/// Lets the faces of `vertex` separate: closed, dry, with the whole cohesion.
+/// Lets those faces of `vertex` separate that were held together: closed, dry, with the whole cohesion.
 void release(const Mesh& mesh, VertexIndex vertex, Joints& joints);
 
 }  // namespace fissura::structure

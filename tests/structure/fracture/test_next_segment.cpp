@@ -122,13 +122,31 @@ TEST_CASE("two tips that face each other join", "[structure][fracture]") {
   CHECK(segment.end->vertex == other);
 }
 
-TEST_CASE("a fracture that has been joined is its own", "[structure][fracture]") {
+TEST_CASE("a fracture joins another one that it is connected to elsewhere", "[structure][fracture]") {
+  Lines lines;
+  const VertexIndex start = lines.add({{-2, 0}, {-1.5, 0}, {-1, 0}, {-0.5, 0}, {0, 0}});
+  const VertexIndex wall = lines.add({{0.4, -1}, {0.4, -0.5}, {0.4, 0}, {0.4, 0.5}});
+  lines.join(start, wall);
+  const NextSegment segment = lines.next({0, 0}, east);
+  REQUIRE(segment.end);
+  CHECK(segment.end->vertex == wall + 2);
+}
+
+TEST_CASE("a fracture that has crossed another one at a sharp angle leaves its arms behind", "[structure][fracture]") {
+  Lines lines;
+  lines.add({{-0.5, 0}, {0, 0}, {0.5, 0}});
+  const VertexIndex arm = lines.add({{0.43, 0.25}, {0.86, 0.5}});
+  lines.join(1, arm);
+  CHECK(lines.next({0.5, 0}, east).end);
+  CHECK(lines.next({0.5, 0}, {0.6, 0.8}).obstacle == Obstacle::own_fracture);
+}
+
+TEST_CASE("a fracture waits before another one that it would cross between vertices out of reach",
+          "[structure][fracture]") {
   Lines lines;
   lines.add({{-1, 0}, {-0.5, 0}, {0, 0}});
-  const VertexIndex wall = lines.add({{0.4, -1}, {0.4, -0.5}, {0.4, 0}, {0.4, 0.5}});
-  REQUIRE(lines.next({0, 0}, east).end);
-  lines.join(0, wall);
-  CHECK(lines.next({0, 0}, east).obstacle == Obstacle::own_fracture);
+  lines.add({{0.4, -3}, {0.4, 3}});
+  CHECK(lines.next({0, 0}, east).obstacle == Obstacle::no_vertex_to_join);
 }
 
 TEST_CASE("a fracture does not join another one at a sharp angle", "[structure][fracture]") {
