@@ -21,7 +21,9 @@ class IntervalAdvance {
 
   AdvanceReport run() {
     state_.time = interval_.begin;
-    if (!state_.started) fill_at_start(graph_, interval_, state_);
+    if (!state_.started) fill_at_start(model_, graph_, interval_, state_);
+    find_pore_fluid(model_, graph_, interval_, state_);
+    follow_contact(interval_, state_);
     if (interval_.carry == Carry::pressure) reset_content(model_, graph_, interval_, state_);
     while (state_.time < interval_.end) {
       enter_stage();

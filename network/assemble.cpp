@@ -44,7 +44,8 @@ class Assembler {
           length * (node.content_slope + regularisation * law.film * node.pressure_slope / law.bulk_modulus);
       assembly_.moved += std::abs(stored);
       assembly_.round_off += length * (std::abs(node.content) + std::abs(content[i]) + step_.demand[i] +
-                                       law.compliance * (node.pressure + std::abs(law.reference_pressure)));
+                                       law.compliance * (node.pressure + std::abs(law.reference_pressure)) +
+                                       law.joint.compliance * (node.pressure + law.joint.formation_pressure));
     }
   }
 

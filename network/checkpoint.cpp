@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int version = 1;
+constexpr int version = 2;
 
 /// Numbers travel as raw bytes: compact, and no infinity or signed zero is a special case.
 template <typename T>
@@ -43,6 +43,8 @@ std::vector<double> scalars_of(const State& state) {
           state.stage_entry.rate,
           state.stage_entry.pressure,
           state.ledger.in_place,
+          state.ledger.found.sum,
+          state.ledger.found.correction,
           state.ledger.injected.sum,
           state.ledger.injected.correction,
           state.ledger.leaked.sum,
@@ -58,6 +60,8 @@ void set_scalars(const std::vector<double>& values, State& state) {
                             &state.stage_entry.rate,
                             &state.stage_entry.pressure,
                             &state.ledger.in_place,
+                            &state.ledger.found.sum,
+                            &state.ledger.found.correction,
                             &state.ledger.injected.sum,
                             &state.ledger.injected.correction,
                             &state.ledger.leaked.sum,
@@ -102,6 +106,10 @@ json state_to_json(const State& state) {
           {"waived", packed(state.waived)},
           {"has_been_filled", packed(state.has_been_filled)},
           {"exposure", exposure_to_json(state.exposure)},
+          {"joining", packed(state.joining)},
+          {"pore_content", packed(state.pore_content)},
+          {"arrived", packed(state.arrived)},
+          {"contact_pressure", packed(state.contact_pressure)},
           {"fluid_fraction", packed(state.fluid_fraction)},
           {"flux", packed(state.flux)},
           {"gradient", packed(state.gradient)},
@@ -120,6 +128,10 @@ State state_from_json(const json& entry) {
   state.waived = unpacked<double>(entry.at("waived"));
   state.has_been_filled = unpacked<unsigned char>(entry.at("has_been_filled"));
   state.exposure = exposure_from_json(entry.at("exposure"));
+  state.joining = unpacked<unsigned char>(entry.at("joining"));
+  state.pore_content = unpacked<double>(entry.at("pore_content"));
+  state.arrived = unpacked<double>(entry.at("arrived"));
+  state.contact_pressure = unpacked<double>(entry.at("contact_pressure"));
   state.fluid_fraction = unpacked<double>(entry.at("fluid_fraction"));
   state.flux = unpacked<double>(entry.at("flux"));
   state.gradient = unpacked<double>(entry.at("gradient"));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "common/errors.hpp"
+#include "network/wetting.hpp"
 
 namespace fissura::network {
 
@@ -37,34 +38,52 @@ void require_physical(double value, double lowest, const char* what, const Graph
                                 graph.network().nodes()[node].id, value, step.end));
 }
 
-void wet_natural_fractures(const Graph& graph, double time, std::span<const double> received, State& state) {
+/// Returns the volume added [m2].
+double saturate(const Model& model, const Graph& graph, const Interval& interval, State& state) {
+  double added = 0;
   for (std::size_t i = 0; i < graph.node_count(); ++i) {
-    if (state.exposure[i].front != Front::ahead || received[i] <= 0) continue;
-    expose(graph, i, time, state.exposure);
-    if (!leads_ahead(graph, i, state.exposure)) end_sweep(i, time, state.exposure);
+    if (!state.joining[i]) continue;
+    const double pressure = graph.network().nodes()[i].formation_pressure;
+    const double content = interval.aperture[i] * (1 + pressure / bulk_modulus(model, state, i));
+    added += graph.lumped_length()[i] * (content - state.content[i]);
+    state.content[i] = state.pore_content[i] = content;
+    state.pressure[i] = pressure;
+    state.filled[i] = 1;
+    state.has_been_filled[i] = 1;
+    state.joining[i] = 0;
   }
+  return added;
 }
 
 }  // namespace
 
-void fill_at_start(const Graph& graph, const Interval& interval, State& state) {
+void fill_at_start(const Model& model, const Graph& graph, const Interval& interval, State& state) {
   state.started = true;
+  std::vector<std::size_t> wet;
   for (std::size_t i = 0; i < graph.node_count(); ++i) {
-    if (interval.aperture[i] <= 0) continue;
+    if (state.joining[i] || interval.aperture[i] <= 0) continue;
     state.content[i] = interval.aperture[i];
     state.filled[i] = 1;
     state.has_been_filled[i] = 1;
+    if (state.exposure[i].front == Front::ahead) wet.push_back(i);
   }
-  wet_natural_fractures(graph, interval.begin, state.content, state);
+  (void)saturate(model, graph, interval, state);
+  wet_natural_fractures(graph, wet, interval.begin, state.exposure);
   state.ledger.in_place = stored(graph, state);
+}
+
+void find_pore_fluid(const Model& model, const Graph& graph, const Interval& interval, State& state) {
+  state.ledger.found.add(saturate(model, graph, interval, state));
 }
 
 void reset_content(const Model& model, const Graph& graph, const Interval& interval, State& state) {
   const double before = stored(graph, state);
-  for (std::size_t i = 0; i < graph.node_count(); ++i)
+  for (std::size_t i = 0; i < graph.node_count(); ++i) {
+    const double opening = joint_opening(joint_law(graph, state, i), state.pressure[i]);
     state.content[i] =
-        interval.aperture[i] *
+        std::max(0.0, interval.aperture[i] + opening) *
         (state.filled[i] >= 1 ? 1 + state.pressure[i] / bulk_modulus(model, state, i) : state.filled[i]);
+  }
   state.ledger.reset.add(stored(graph, state) - before);
 }
 
@@ -99,20 +118,22 @@ void commit_step(const Model& model, const Graph& graph, const Step& step, const
   state.perforation_rate = flow.perforation_rate;
   state.well_pressure = solution.well_pressure;
   state.time = step.end;
-  wet_natural_fractures(graph, step.end, flow.inflow, state);
+  advance_wetting_front(graph, flow, duration, state);
 }
 
 LedgerReport ledger_report(const Model& model, const Graph& graph, const State& state) {
   const double h = model.thickness;
   LedgerReport report{.injected = h * state.ledger.injected.value(),
                       .in_place = h * state.ledger.in_place,
+                      .found = h * state.ledger.found.value(),
                       .in_fractures = h * stored(graph, state),
                       .leaked = h * state.ledger.leaked.value(),
                       .reset = h * state.ledger.reset.value(),
                       .residual = 0};
-  report.residual = report.injected + report.in_place + report.reset - report.in_fractures - report.leaked;
-  const double largest =
-      std::max({std::abs(report.injected), report.in_place, report.in_fractures, report.leaked});
+  report.residual =
+      report.injected + report.in_place + report.found + report.reset - report.in_fractures - report.leaked;
+  const double largest = std::max(
+      {std::abs(report.injected), report.in_place, report.found, report.in_fractures, report.leaked});
   if (std::abs(report.residual) > conservation_tolerance * largest)
     throw SolverError(fmt::format("fluid is not conserved at {} s: {} m3 of {} m3 are missing", state.time,
                                   report.residual, largest));

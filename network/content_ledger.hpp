@@ -12,14 +12,19 @@ namespace fissura::network {
 
 /// Volumes of the whole thickness, cumulative [m3]; docs/protocol.md, section 3.
 struct LedgerReport {
-  double injected = 0, in_place = 0, in_fractures = 0, leaked = 0, reset = 0, residual = 0;
+  double injected = 0, in_place = 0, found = 0, in_fractures = 0, leaked = 0, reset = 0, residual = 0;
 };
 
-/// At the first interval: nodes with an aperture are filled at zero pressure, all others are dry.
-void fill_at_start(const Graph& graph, const Interval& interval, State& state);
+/// At the first interval: nodes that joined saturated are full of pore fluid at formation pressure, others
+/// with an aperture are filled at zero pressure, all others are dry.
+void fill_at_start(const Model& model, const Graph& graph, const Interval& interval, State& state);
 
-/// carry = pressure: content made anew from the aperture and the last pressure, m = e (1 + p / K_f) of a
-/// filled node and filled * e of any other; the difference is booked as reset.
+/// The pore fluid of the nodes that have joined saturated since the last interval, in the apertures that the
+/// structure measured: m = e (1 + p_0 / K_f), p = p_0. What this adds to the content is booked as found.
+void find_pore_fluid(const Model& model, const Graph& graph, const Interval& interval, State& state);
+
+/// carry = pressure: content made anew from the aperture e and the last pressure, m = (e + j(p)) (1 + p /
+/// K_f) of a filled node and filled * (e + j(p)) of any other; the difference is booked as reset.
 void reset_content(const Model& model, const Graph& graph, const Interval& interval, State& state);
 
 /// Takes the step into the state:

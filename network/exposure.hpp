@@ -10,12 +10,12 @@
 
 /// When the faces of a node's cell were exposed to the fluid. A hydraulic fracture's cell is swept by its
 /// tip: from the release of the node to the release of the next one. A natural fracture's cell is swept by
-/// the fluid: from the first wetting of the node to that of its neighbour. Cells of revision 0 are exposed at
-/// once.
+/// the injected fluid: from the wetting of the node to that of its neighbour (network/wetting.hpp). Other
+/// cells of revision 0 are exposed at once.
 namespace fissura::network {
 
 enum class Front : std::uint8_t {
-  ahead = 0,   ///< natural fracture that no fluid has reached
+  ahead = 0,   ///< natural fracture that no injected fluid has reached
   inside = 1,  ///< the front is sweeping the cell
   passed = 2
 };

@@ -17,13 +17,19 @@ void Graph::rebuild() {
   const std::size_t nodes = node_count();
   ends_.clear();
   natural_.assign(nodes, 1);
+  natural_length_.assign(nodes, 0.0);
   std::vector<std::vector<std::size_t>> incident(nodes);
   for (const NetworkSegment& segment : network_.segments()) {
     const std::size_t a = network_.index_of(segment.node_a), b = network_.index_of(segment.node_b);
     incident[a].push_back(ends_.size());
     incident[b].push_back(ends_.size());
     ends_.push_back({a, b});
-    if (segment.kind == SegmentKind::hydraulic) natural_[a] = natural_[b] = 0;
+    if (segment.kind == SegmentKind::hydraulic) {
+      natural_[a] = natural_[b] = 0;
+    } else {
+      natural_length_[a] += segment.length / 2;
+      natural_length_[b] += segment.length / 2;
+    }
   }
   incident_begin_.assign(1, 0);
   incident_.clear();

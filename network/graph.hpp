@@ -34,8 +34,10 @@ class Graph {
   [[nodiscard]] const std::vector<std::size_t>& perforations() const { return perforations_; }
   /// Lumped length l of every node [m].
   [[nodiscard]] const std::vector<double>& lumped_length() const { return lumped_length_; }
-  /// Whether only natural fractures meet at `node`: it is exposed by the fluid's arrival, not by its release.
+  /// Whether only natural fractures meet at `node`.
   [[nodiscard]] bool natural(std::size_t node) const { return natural_[node] != 0; }
+  /// Half of every natural segment at every node [m].
+  [[nodiscard]] const std::vector<double>& natural_length() const { return natural_length_; }
   [[nodiscard]] const JacobianPattern& pattern() const { return pattern_; }
 
  private:
@@ -45,7 +47,7 @@ class Graph {
   std::vector<SegmentEnds> ends_;
   std::vector<std::size_t> incident_begin_, incident_;
   std::vector<std::size_t> perforations_;
-  std::vector<double> lumped_length_;
+  std::vector<double> lumped_length_, natural_length_;
   std::vector<unsigned char> natural_;
   JacobianPattern pattern_;
 };

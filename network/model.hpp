@@ -33,8 +33,8 @@ struct Model {
   [[nodiscard]] bool newtonian() const;
 };
 
-/// A case without perforations and stages is dry. Throws InputError if any other has no fluid, a stage names an unknown one, or a number is outside its physical
-/// range.
+/// A case without perforations and stages is dry. Throws InputError if any other has no fluid, a stage names
+/// an unknown one, or a number is outside its physical range.
 Model model_from_case(const Case& value);
 
 }  // namespace fissura::network

@@ -32,8 +32,9 @@ void require_not_negative(const std::vector<double>& values, const char* name, c
 }
 
 nlohmann::json ledger_to_json(const LedgerReport& ledger) {
-  return {{"injected", ledger.injected}, {"in_place", ledger.in_place}, {"in_fractures", ledger.in_fractures},
-          {"leaked", ledger.leaked},     {"reset", ledger.reset},       {"residual", ledger.residual}};
+  return {{"injected", ledger.injected}, {"in_place", ledger.in_place}, {"found", ledger.found},
+          {"leaked", ledger.leaked},     {"reset", ledger.reset},       {"in_fractures", ledger.in_fractures},
+          {"residual", ledger.residual}};
 }
 
 }  // namespace
@@ -82,12 +83,24 @@ void NetworkSolver::read_interval(const Message& command) {
   interval_.aperture_rate = command.numbers("aperture_rate", count);
   interval_.reference_pressure = command.numbers("reference_pressure", count);
   interval_.compliance = command.numbers("compliance", count);
+  interval_.arm_aperture_a = arm_apertures(command, "arm_aperture_a");
+  interval_.arm_aperture_b = arm_apertures(command, "arm_aperture_b");
   require_not_negative(interval_.aperture, "aperture", graph_);
   require_not_negative(interval_.compliance, "compliance", graph_);
   const std::vector<double> closed = command.numbers("closed", count);
   interval_.faces.resize(count);
   for (std::size_t i = 0; i < count; ++i)
     interval_.faces[i] = closed[i] != 0 ? Faces::in_contact : Faces::separated;
+}
+
+std::vector<double> NetworkSolver::arm_apertures(const Message& command, const char* name) const {
+  if (!command.has("arm_aperture_a") && !command.has("arm_aperture_b")) return {};
+  std::vector<double> values = command.numbers(name, graph_.segment_count());
+  const auto found = std::find_if(values.begin(), values.end(), [](double value) { return value < 0; });
+  if (found == values.end()) return values;
+  const auto segment = static_cast<std::size_t>(found - values.begin());
+  throw ValueError(fmt::format("{} of segment {} is {}, expected at least 0", name,
+                               graph_.network().segments()[segment].id, *found));
 }
 
 AdvanceReport NetworkSolver::pass_dry() {
@@ -100,7 +113,7 @@ AdvanceReport NetworkSolver::pass_dry() {
 
 double NetworkSolver::predicted_aperture(std::size_t node) const {
   return model_.dry ? interval_.aperture[node]
-                    : hydraulic_aperture(workspace_.step.storage[node], state_.pressure[node]);
+                    : network::predicted_aperture(workspace_.step.storage[node], state_.pressure[node]);
 }
 
 Message NetworkSolver::pressure_message(const AdvanceReport& report) const {
@@ -135,8 +148,7 @@ Message NetworkSolver::report(const Message&) {
   fields.add("content", "m", content);
   fields.add("leaked", "m", state_.leaked);
   fields.add("flux", "m2/s", state_.flux);
-  if (!model_.dry)
-    fields.add("fluid_fraction", "1", state_.fluid_fraction, count, model_.fluids.size());
+  if (!model_.dry) fields.add("fluid_fraction", "1", state_.fluid_fraction, count, model_.fluids.size());
   return fields;
 }
 

@@ -39,6 +39,8 @@ class NetworkSolver : public Solver {
   };
 
   void read_interval(const Message& command);
+  /// One array of the apertures per arm; empty if the command carries neither.
+  [[nodiscard]] std::vector<double> arm_apertures(const Message& command, const char* name) const;
   /// A dry network only keeps the time.
   AdvanceReport pass_dry();
   [[nodiscard]] double predicted_aperture(std::size_t node) const;

@@ -21,7 +21,8 @@ struct CompensatedSum {
 
 /// Cumulative volumes per unit thickness [m2].
 struct LedgerSums {
-  double in_place = 0;  ///< content at the start
+  double in_place = 0;   ///< content at the start
+  CompensatedSum found;  ///< pore fluid of nodes that joined saturated after the start
   CompensatedSum injected, leaked, reset;
 };
 
@@ -38,7 +39,11 @@ struct State {
   std::vector<double> waived;    ///< leak-off demand let go while closed and dry [m]
   std::vector<unsigned char> has_been_filled;
   std::vector<Exposure> exposure;
-  std::vector<double> fluid_fraction;  ///< [n_nodes x n_fluids], by volume, rows sum to 1 [-]
+  std::vector<unsigned char> joining;    ///< joined saturated, pore fluid not yet taken into the content
+  std::vector<double> pore_content;      ///< content found at joining [m]
+  std::vector<double> arrived;           ///< injected fluid that came in before the node was wetted [m]
+  std::vector<double> contact_pressure;  ///< p_c of the joint law [Pa]
+  std::vector<double> fluid_fraction;    ///< [n_nodes x n_fluids], by volume, rows sum to 1 [-]
 
   std::vector<double> flux;      ///< from a to b per unit thickness, of the last step [m2/s]
   std::vector<double> gradient;  ///< magnitude of the pressure gradient, of the last step [Pa/m]

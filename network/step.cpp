@@ -23,7 +23,8 @@ void fluids_between(const State& state, const SegmentEnds& ends, std::span<doubl
                  weight_b * state.fluid_fraction[ends.b * count + f];
 }
 
-void set_storage(const Model& model, const Interval& interval, const State& state, Step& step) {
+void set_storage(const Model& model, const Graph& graph, const Interval& interval, const State& state,
+                 Step& step) {
   const double elapsed = step.end - interval.begin;
   for (std::size_t i = 0; i < step.storage.size(); ++i)
     step.storage[i] = {.aperture = std::max(0.0, interval.aperture[i] + interval.aperture_rate[i] * elapsed),
@@ -31,7 +32,29 @@ void set_storage(const Model& model, const Interval& interval, const State& stat
                        .reference_pressure = interval.reference_pressure[i],
                        .bulk_modulus = bulk_modulus(model, state, i),
                        .film = model.minimum_aperture,
-                       .faces = interval.faces[i]};
+                       .faces = interval.faces[i],
+                       .joint = joint_law(graph, state, i)};
+}
+
+/// Of the natural arms at a node [m].
+double joint_opening_of_arms(const Graph& graph, const Step& step, const State& state, std::size_t node) {
+  const double opening = joint_opening(step.storage[node].joint, state.pressure[node]);
+  return opening * graph.lumped_length()[node] / graph.natural_length()[node];
+}
+
+void set_segment_apertures(const Model& model, const Graph& graph, const Interval& interval,
+                           const State& state, Step& step) {
+  const bool per_arm = !interval.arm_aperture_a.empty();
+  for (std::size_t s = 0; s < graph.segment_count(); ++s) {
+    const auto [a, b] = graph.ends()[s];
+    double aperture_a = per_arm ? interval.arm_aperture_a[s] : interval.aperture[a];
+    double aperture_b = per_arm ? interval.arm_aperture_b[s] : interval.aperture[b];
+    if (graph.network().segments()[s].kind == SegmentKind::natural) {
+      aperture_a += joint_opening_of_arms(graph, step, state, a);
+      aperture_b += joint_opening_of_arms(graph, step, state, b);
+    }
+    step.segment_aperture[s] = segment_aperture(aperture_a, aperture_b, model.minimum_aperture);
+  }
 }
 
 void set_demand(const Model& model, const State& state, Step& step) {
@@ -60,6 +83,17 @@ double bulk_modulus(const Model& model, const State& state, std::size_t node) {
   return mixture_bulk_modulus(std::span(state.fluid_fraction).subspan(node * count, count), moduli);
 }
 
+JointLaw joint_law(const Graph& graph, const State& state, std::size_t node) {
+  const NetworkNode& given = graph.network().nodes()[node];
+  return {given.joint_compliance, given.formation_pressure, state.contact_pressure[node]};
+}
+
+void follow_contact(const Interval& interval, State& state) {
+  for (std::size_t i = 0; i < state.contact_pressure.size(); ++i)
+    if (interval.faces[i] == Faces::in_contact && state.pressure[i] <= state.contact_pressure[i])
+      state.contact_pressure[i] = std::max(interval.reference_pressure[i], state.pressure[i]);
+}
+
 void prepare_step(const Model& model, const Graph& graph, const Interval& interval, const State& state,
                   double end, Step& step) {
   step.begin = state.time;
@@ -68,13 +102,9 @@ void prepare_step(const Model& model, const Graph& graph, const Interval& interv
   step.demand.resize(graph.node_count());
   step.segment_aperture.resize(graph.segment_count());
   step.transmissibility.resize(graph.segment_count());
-  set_storage(model, interval, state, step);
+  set_storage(model, graph, interval, state, step);
   set_demand(model, state, step);
-  for (std::size_t s = 0; s < graph.segment_count(); ++s) {
-    const auto [a, b] = graph.ends()[s];
-    step.segment_aperture[s] =
-        segment_aperture(interval.aperture[a], interval.aperture[b], model.minimum_aperture);
-  }
+  set_segment_apertures(model, graph, interval, state, step);
   set_transmissibility(model, graph, state, state.gradient, state.flux, step);
   step.well = well_target(model, state, end);
 }

@@ -24,6 +24,8 @@ struct Interval {
   std::vector<double> reference_pressure;  ///< [Pa]
   std::vector<double> compliance;          ///< [m/Pa], >= 0
   std::vector<Faces> faces;
+  std::vector<double> arm_aperture_a,
+      arm_aperture_b;  ///< of each segment's own arm at its ends [m]; may be empty
 };
 
 struct WellTarget {
@@ -46,9 +48,18 @@ struct Step {
 /// K_f of the mixture at a node [Pa].
 double bulk_modulus(const Model& model, const State& state, std::size_t node);
 
+/// The contact pressures of the joint laws follow what would part the faces, max(reference_pressure, p),
+/// while these touch and the pressure is not above. Else they stay, so that no joint opening jumps.
+void follow_contact(const Interval& interval, State& state);
+
+/// Of the joints at a node, a mean over all arms.
+JointLaw joint_law(const Graph& graph, const State& state, std::size_t node);
+
 /// Fills `step` for (state.time, end].
-///   Lambda_i = max(0, V_C,i(end) - v_i)          cumulative: what a node could not give before is still
-///   asked for
+///   e_ij = (e_i + e_j) / 2,   e_i = max(e_min, arm + j_i(p_i))     of the segment's own arm, else of the
+///   node; a natural arm has the joint opening of its node, which is a mean over all arms, times l_i /
+///   l_natural,i Lambda_i = max(0, V_C,i(end) - v_i)          cumulative: what a node could not give before
+///   is still asked for
 void prepare_step(const Model& model, const Graph& graph, const Interval& interval, const State& state,
                   double end, Step& step);
 

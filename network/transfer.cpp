@@ -17,9 +17,15 @@ std::size_t first_fluid(const Model& model) {
 
 void add_nodes(const Model& model, const Graph& graph, std::size_t old_count, State& state) {
   const std::size_t count = graph.node_count(), fluids = model.fluids.size();
-  for (auto* values : {&state.content, &state.pressure, &state.filled, &state.leaked, &state.waived})
+  for (auto* values : {&state.content, &state.pressure, &state.filled, &state.leaked, &state.waived,
+                       &state.pore_content, &state.arrived})
     values->resize(count, 0.0);
   state.has_been_filled.resize(count, 0);
+  for (std::size_t i = old_count; i < count; ++i) {
+    const NetworkNode& node = graph.network().nodes()[i];
+    state.joining.push_back(node.saturated ? 1 : 0);
+    state.contact_pressure.push_back(node.formation_pressure);
+  }
   state.exposure.resize(count);
   state.fluid_fraction.resize(count * fluids, 0.0);
   if (model.dry) return;
@@ -29,6 +35,7 @@ void add_nodes(const Model& model, const Graph& graph, std::size_t old_count, St
 void inherit_fluids(const Model& model, const Insertion& insertion, const Graph& graph, State& state) {
   const std::size_t fluids = model.fluids.size();
   for (const NodeParent& pair : insertion.parents) {
+    if (state.joining[graph.network().index_of(pair.node)]) continue;
     const auto from = state.fluid_fraction.begin() +
                       static_cast<std::ptrdiff_t>(graph.network().index_of(pair.parent) * fluids);
     const auto to = static_cast<std::ptrdiff_t>(graph.network().index_of(pair.node) * fluids);
@@ -79,7 +86,7 @@ void expose_new_nodes(const Insertion& insertion, const Graph& graph, std::size_
   for (std::size_t i = old_count; i < graph.node_count(); ++i) {
     const double time = graph.network().nodes()[i].exposure_time;
     state.exposure[i] = {.begin = time, .end = time, .residence = 0, .front = Front::passed};
-    if (graph.natural(i))
+    if (graph.natural(i) || state.joining[i])
       state.exposure[i].front = Front::ahead;
     else if (insertion.revision > 0)
       released.push_back(i);
@@ -109,7 +116,7 @@ void insert_and_transfer(const Model& model, const Insertion& insertion, Graph& 
   for (std::size_t i = 0; i < old_count; ++i) {
     if (graph.lumped_length()[i] == old_length[i]) continue;
     const std::vector<std::size_t> receivers = new_neighbours(graph, i, old_count);
-    for (auto* values : {&state.content, &state.leaked, &state.waived})
+    for (auto* values : {&state.content, &state.leaked, &state.waived, &state.pore_content, &state.arrived})
       rescale(graph, i, old_length[i], receivers, *values);
   }
   expose_new_nodes(insertion, graph, old_count, state);

@@ -11,7 +11,7 @@ struct Opening {
   double aperture, slope;
 };
 
-Opening opening(const ContentLaw& law, double pressure) {
+Opening predicted_opening(const ContentLaw& law, double pressure) {
   const double increment = pressure - law.reference_pressure;
   if (law.faces == Faces::in_contact && increment < 0) return {law.aperture, 0};
   const double aperture = law.aperture + law.compliance * increment;
@@ -19,7 +19,22 @@ Opening opening(const ContentLaw& law, double pressure) {
   return {aperture, law.compliance};
 }
 
+Opening opening(const ContentLaw& law, double pressure) {
+  const auto [predicted, slope] = predicted_opening(law, pressure);
+  const double aperture = predicted + joint_opening(law.joint, pressure);
+  if (aperture < 0) return {0, 0};
+  return {aperture, pressure < law.joint.contact_pressure ? slope + law.joint.compliance : slope};
+}
+
 }  // namespace
+
+double joint_opening(const JointLaw& law, double pressure) {
+  return law.compliance * (std::min(pressure, law.contact_pressure) - law.formation_pressure);
+}
+
+double predicted_aperture(const ContentLaw& law, double pressure) {
+  return predicted_opening(law, pressure).aperture;
+}
 
 double hydraulic_aperture(const ContentLaw& law, double pressure) {
   return opening(law, pressure).aperture;

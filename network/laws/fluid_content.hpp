@@ -12,11 +12,25 @@ enum class Faces : std::uint8_t { separated = 0, in_contact = 1 };
 /// Pressure of u = 1 [Pa].
 inline constexpr double pressure_scale = 1e6;
 
+/// Hydraulic opening of the rough faces of a joint under the fluid, which the rock around does not feel
+/// (Bandis et al. 1983, linear; Rutqvist and Stephansson 2003):
+///   j(p) = c_s (min(p, p_c) - p_0)                     [m]
+/// It ends where the contact carries nothing any more, p = p_c, and stays when the faces part.
+struct JointLaw {
+  double compliance = 0;          ///< c_s [m/Pa], >= 0
+  double formation_pressure = 0;  ///< p_0, at which the structure's aperture is the whole one [Pa]
+  double contact_pressure = 0;    ///< p_c, at which the contact opens [Pa]
+};
+
+/// j(p) [m]; negative below p_0.
+double joint_opening(const JointLaw& law, double pressure);
+
 /// What is known of a node before the solution.
-///   e(p) = max(0, aperture + compliance (p - reference_pressure))     in contact only the part p >
+///   e^(p) = max(0, aperture + compliance (p - reference_pressure))    in contact only the part p >
 ///   reference_pressure counts
+///   e(p)  = max(0, e^(p) + j(p))
 /// The compliance estimates what the structure will do with the pressure increment; it stores no fluid of its
-/// own.
+/// own. j(p) does: the structure does not know of it.
 struct ContentLaw {
   double aperture = 0;            ///< [m], >= 0; with carry = pressure extrapolated to the end of the step
   double compliance = 0;          ///< C_R [m/Pa], >= 0
@@ -24,6 +38,7 @@ struct ContentLaw {
   double bulk_modulus = 0;        ///< K_f [Pa], > 0
   double film = 0;  ///< scale of u in a node without aperture [m], > 0; does not change the solution
   Faces faces = Faces::separated;
+  JointLaw joint = {};
 };
 
 /// A node at one value of u; slopes are derivatives with respect to u.
@@ -35,7 +50,10 @@ struct NodeContent {
   double content_slope = 0;   ///< [m]
 };
 
-/// e(p) [m]. @param pressure  >= 0 [Pa]
+/// e^(p), what the structure will make of the pressure [m]. @param pressure  >= 0 [Pa]
+double predicted_aperture(const ContentLaw& law, double pressure);
+
+/// e(p), the room for fluid [m]. @param pressure  >= 0 [Pa]
 double hydraulic_aperture(const ContentLaw& law, double pressure);
 
 /// u >= 0: p = u pressure_scale,  m = e(p) (1 + p / K_f)         (filled)

@@ -17,10 +17,17 @@ FlowSetup branched_fracture(const Schedule& schedule) {
   Insertion insertion = straight_fracture(6, 0.5, {1, 3});
   insertion.new_nodes.push_back({.id = 20, .x = 1, .y = 0.5, .lumped_length = 0.25});
   insertion.new_segments.push_back({.id = 20, .node_a = 20, .node_b = 3, .length = 0.5});
+  for (const std::size_t natural : {0, 4, 6}) {
+    insertion.new_nodes[natural].joint_compliance = 2e-11;
+    insertion.new_nodes[natural].formation_pressure = 1e6;
+  }
+  insertion.new_segments.back().kind = SegmentKind::natural;
   Model model = water_model();
   model.schedule = schedule;
   model.leak_off = {1e-5, 0};
   FlowSetup setup(model, insertion);
+  setup.state.contact_pressure[0] = 5e6;
+  setup.state.contact_pressure[4] = 6e6;
   setup.interval.aperture = {1e-3, 8e-4, 5e-4, 1e-4, 0, 0, 2e-4};
   setup.interval.compliance = {1e-10, 2e-10, 0, 1e-9, 1e-10, 0, 1e-10};
   setup.interval.reference_pressure = {5e6, 5e6, 1e6, 3e6, 4e6, 0, 2e6};

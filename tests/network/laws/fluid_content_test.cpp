@@ -11,10 +11,20 @@ namespace {
 
 std::vector<ContentLaw> laws() {
   return {
-      {1e-3, 1e-10, 5e6, 2e9, 1e-5, Faces::separated}, {1e-3, 1e-9, 5e6, 2e9, 1e-5, Faces::separated},
-      {0, 1e-10, 5e6, 2e9, 1e-5, Faces::in_contact},   {1e-5, 1e-10, 5e6, 2e9, 1e-5, Faces::in_contact},
+      {1e-3, 1e-10, 5e6, 2e9, 1e-5, Faces::separated},
+      {1e-3, 1e-9, 5e6, 2e9, 1e-5, Faces::separated},
+      {0, 1e-10, 5e6, 2e9, 1e-5, Faces::in_contact},
+      {1e-5, 1e-10, 5e6, 2e9, 1e-5, Faces::in_contact},
       {0, 0, 0, 2e9, 1e-5, Faces::separated},
+      {5e-5, 1e-10, 5.5e6, 2e9, 1e-5, Faces::in_contact, {1e-11, 2e6, 5.5e6}},
+      {5e-4, 1e-10, 7e6, 2e9, 1e-5, Faces::separated, {1e-11, 2e6, 5.5e6}},
+      {1e-5, 0, 5.5e6, 2e9, 1e-5, Faces::in_contact, {1e-11, 2e6, 5.5e6}},
   };
+}
+
+/// A natural fracture of 50 um that touches up to 9 MPa, found at 6 MPa.
+ContentLaw touching_joint() {
+  return {5e-5, 1e-10, 9e6, 2e9, 1e-5, Faces::in_contact, {1e-11, 6e6, 9e6}};
 }
 
 }  // namespace
@@ -49,7 +59,8 @@ TEST_CASE("content: continuous and never falling from unmet demand through dry a
       const NodeContent node = fluid_content(law, u);
       CHECK(node.content >= previous - 1e-18);
       // No jump: one step of u at the steepest slope.
-      CHECK(node.content - previous <= 1.1e-3 * (1e6 * law.compliance * 1.01 + std::max(law.aperture, 1e-5)));
+      const double compliance = law.compliance + law.joint.compliance;
+      CHECK(node.content - previous <= 1.1e-3 * (1e6 * compliance * 1.01 + std::max(law.aperture, 1e-5)));
       previous = node.content;
     }
   }
@@ -80,4 +91,31 @@ TEST_CASE("content: slopes are the derivatives", "[network][laws]") {
             Approx(node.content_slope).epsilon(1e-8).margin(1e-13));
       CHECK((above.pressure - below.pressure) / (2 * step) == Approx(node.pressure_slope).epsilon(1e-8));
     }
+}
+
+TEST_CASE("content: a touching joint is at its aperture at formation pressure and opens by c_s beyond it",
+          "[network][laws]") {
+  const ContentLaw law = touching_joint();
+  CHECK(hydraulic_aperture(law, 6e6) == 5e-5);
+  CHECK(hydraulic_aperture(law, 8e6) == Approx(7e-5).epsilon(1e-12));
+  CHECK(hydraulic_aperture(law, 3e6) == Approx(2e-5).epsilon(1e-12));
+  CHECK(hydraulic_aperture(law, 0.5e6) == 0);
+  CHECK(fluid_content(law, 8).content == Approx(7e-5 * (1 + 8e6 / 2e9)).epsilon(1e-12));
+}
+
+TEST_CASE("content: the structure is not told of the joint's own opening", "[network][laws]") {
+  const ContentLaw law = touching_joint();
+  CHECK(predicted_aperture(law, 8.9e6) == 5e-5);
+  CHECK(predicted_aperture(law, 10e6) == Approx(5e-5 + 1e-10 * 1e6).epsilon(1e-12));
+}
+
+TEST_CASE(
+    "content: where the contact opens the joint's own opening ends and stays, whether the faces touch or not",
+    "[network][laws]") {
+  ContentLaw law = touching_joint();
+  CHECK(hydraulic_aperture(law, 10e6) == Approx(5e-5 + 3e-5 + 1e-4).epsilon(1e-12));
+  const double at_opening = hydraulic_aperture(law, 9e6);
+  law.faces = Faces::separated;
+  CHECK(hydraulic_aperture(law, 9e6) == at_opening);
+  CHECK(joint_opening(law.joint, 12e6) == Approx(3e-5).epsilon(1e-12));
 }
