@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/case/names.hpp"
-#include "structure/dynamics/in_situ.hpp"
+#include "structure/fracture/local_stress.hpp"
 
 namespace fissura::structure {
 
@@ -70,7 +70,8 @@ std::optional<Meeting> meet(const RockNow& rock, const FractureTip& tip, const S
     meeting.position = end.position;
     meeting.hydraulic = mesh.lines[tip.line].name;
     meeting.natural = line.name;
-    meeting.stress = total_stress(in_situ_state(given, end.position));
+    meeting.stress = local_stress(mesh, rock.geometry.body, rock.model.moduli, rock.state.body.displacement,
+                                  {end.position, tip.vertex, given.mesh.tip_size});
     const double pore = pore_pressure(given.in_situ, end.position);
     meeting.stress.xx += pore;
     meeting.stress.yy += pore;

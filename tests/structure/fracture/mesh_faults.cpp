@@ -126,7 +126,12 @@ class Inspection {
   void inspect_units() {
     using Pair = std::pair<NodeIndex, NodeIndex>;
     std::map<Pair, Faces> expected;  // face towards the second
-    for (const FractureEdge& edge : mesh_.edges) {
+    for (EdgeIndex k = 0; k < mesh_.edges.size(); ++k) {
+      const FractureEdge& edge = mesh_.edges[k];
+      for (const VertexIndex end : {edge.begin, edge.end}) {
+        const auto& listed = mesh_.vertices[end].edges;
+        if (std::count(listed.begin(), listed.end(), k) != 1) note("vertex {} does not list edge {} once", end, k);
+      }
       const Point &a = mesh_.vertices[edge.begin].position, &b = mesh_.vertices[edge.end].position;
       const auto left = left_.find({a, b}), right = left_.find({b, a});
       if (left == left_.end() || right == left_.end()) {
@@ -135,7 +140,13 @@ class Inspection {
       }
       for (const Point& end : {a, b}) {
         const NodeIndex plus = corner(left->second, end), minus = corner(right->second, end);
-        if (plus == minus) continue;
+        const UnitIndex named = edge.unit[end == a ? 0 : 1];
+        if (plus == minus) {
+          if (named != no_unit) note("edge {} names a unit where it is not split", k);
+          continue;
+        }
+        if (named >= mesh_.units.size() || std::minmax(mesh_.units[named].minus, mesh_.units[named].plus) != std::minmax(minus, plus))
+          note("edge {} names another unit than that of its faces", k);
         const bool ascending = minus < plus;
         Faces& faces = expected[std::minmax(minus, plus)];
         faces.face[0] -= (ascending ? 0.5 : -0.5) * (b[1] - a[1]);
