@@ -37,7 +37,7 @@ const HistoryColumn* column_of(const Run& run, const std::string& name) {
 
 void read_name(TableReader& table, const Run& run, ExpectedQuantity& quantity) {
   std::vector<std::string> names;
-  for (const HistoryColumn& column : run.columns) names.emplace_back(column.name);
+  for (const HistoryColumn& column : run.columns) names.push_back(column.name);
   quantity.name = names.empty() ? table.text("name") : table.word("name", names);
 }
 

@@ -22,7 +22,7 @@ enum class Measure {
 
 /// One [[quantity]]. Members that its measure does not use keep their initial value.
 struct ExpectedQuantity {
-  std::string name;       ///< column of history.csv
+  std::string name;       ///< column of history.csv, or quantity of a probe
   std::string unit;       ///< unit in which the verdict shows it, as written ("1" if dimensionless)
   double unit_in_si = 1;  ///< one `unit` in SI: shown value = SI value / unit_in_si
   Measure measure = Measure::maximum;
@@ -44,7 +44,7 @@ struct Expectations {
 
 /// A column that the history of a run has; `unit` is its SI unit, "1" if dimensionless.
 struct HistoryColumn {
-  std::string_view name;
+  std::string name;
   std::string_view unit;
 };
 

@@ -25,7 +25,8 @@ std::string sibling(const char* name) {
   return fmt::format("'{}'", (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string());
 }
 
-std::filesystem::path default_directory(const CaseReading& reading, const std::vector<std::string>& variants) {
+std::filesystem::path default_directory(const CaseReading& reading,
+                                        const std::vector<std::string>& variants) {
   std::string name = std::filesystem::absolute(reading.folder).lexically_normal().filename().string();
   for (const std::string& variant : variants) name += "-" + variant;
   return std::filesystem::path("runs") / name;
@@ -37,7 +38,8 @@ Expectations expectations_of(CaseReading& reading, const std::vector<std::string
   for (const std::string& variant : variants) name += "_" + variant;
   const std::filesystem::path file = reading.folder / (name + ".toml");
   if (!std::filesystem::exists(file)) return {};
-  const Expectations expectations = read_expectations(file, reading.value.time.end, judgeable_columns());
+  const Expectations expectations =
+      read_expectations(file, reading.value.time.end, judgeable_columns(probe_names(reading.value)));
   check_references(expectations);
   std::set<std::filesystem::path> files{file};
   for (const ExpectedQuantity& quantity : expectations.quantities)
@@ -56,6 +58,12 @@ double end_of_run(const RunOptions& options, const Case& run_case) {
 }
 
 }  // namespace
+
+std::vector<std::string> probe_names(const Case& run_case) {
+  std::vector<std::string> names;
+  for (const Probe& probe : run_case.output.probes) names.push_back(probe.name);
+  return names;
+}
 
 PreparedRun prepare_run(const RunOptions& options) {
   if (options.fault) (void)parse_fault_plan(*options.fault);

@@ -17,10 +17,10 @@ struct RunOptions {
   std::optional<std::filesystem::path> directory;  ///< default: runs/NAME, with -VARIANT for each
   std::optional<std::string> network_command;      ///< default: the network beside this program
   std::optional<std::string> structure_command;
-  std::optional<std::string> until;                ///< earlier end of the run, e.g. "2 s"
-  std::optional<std::string> fault;                ///< fault plan, see fault_point.hpp
-  int threads = 0;                                 ///< of the structure; 0: every core
-  bool json = false;                               ///< print summary.json instead of the table
+  std::optional<std::string> until;  ///< earlier end of the run, e.g. "2 s"
+  std::optional<std::string> fault;  ///< fault plan, see fault_point.hpp
+  int threads = 0;                   ///< of the structure; 0: every core
+  bool json = false;                 ///< print summary.json instead of the table
   std::vector<std::string> command_line;
 };
 
@@ -35,6 +35,9 @@ struct PreparedRun {
   bool json = false;
   std::vector<std::string> command_line;
 };
+
+/// Names of the probes, in the order of the case.
+std::vector<std::string> probe_names(const Case& run_case);
 
 /// Reads case, expectations and references and looks at the run directory; creates nothing. Throws Error.
 PreparedRun prepare_run(const RunOptions& options);

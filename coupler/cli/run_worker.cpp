@@ -24,7 +24,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 RunId random_run_id() {
   std::random_device source;
@@ -110,14 +112,16 @@ class Worker {
     status_.show(0, "start");
     const nlohmann::json run_case = case_to_json(run_.reading.value);
     trio_.start(run_case);
-    record_.begin({hexadecimal(run_id_),
-                   run_.reading.value.title,
-                   run_case,
-                   run_.reading.files,
-                   run_.command_line,
-                   run_.threads,
-                   {{"structure", solver_of(trio_, Role::structure)}, {"network", solver_of(trio_, Role::network)}},
-                   {}});
+    record_.begin(
+        {hexadecimal(run_id_),
+         run_.reading.value.title,
+         run_case,
+         run_.reading.files,
+         run_.command_line,
+         run_.threads,
+         {{"structure", solver_of(trio_, Role::structure)}, {"network", solver_of(trio_, Role::network)}},
+         {},
+         probe_names(run_.reading.value)});
     recording_ = true;
     for (const Fault& warning : run_.reading.warnings)
       record_.event(EventLevel::warn, "coupler", "case", describe(warning));
@@ -140,6 +144,7 @@ class Worker {
     const double waited = trio_.waited(Role::structure) + trio_.waited(Role::network);
     wall.coupler = wall.total - waited;
     figures_.remeshing = record_.remesh_totals();
+    figures_.meetings = record_.meeting_totals();
     wall.waiting = std::max(0.0, waited - wall.structure - wall.network);
     return summary_json(verdict, record_.history(), figures_);
   }
@@ -155,7 +160,8 @@ class Worker {
       std::printf("%sresults: %s\n", verdict_table(verdict).c_str(), run_.directory.string().c_str());
     if (stop_signal != 0) {
       const int code = 128 + stop_signal;
-      print_last_line(code, "coupler", record_.history().size(), "stopped", "ended at a coupling time, as asked");
+      print_last_line(code, "coupler", record_.history().size(), "stopped",
+                      "ended at a coupling time, as asked");
       return code;
     }
     return static_cast<int>(verdict.judgement == Judgement::fail ? ExitCode::verdict_failed : ExitCode::done);

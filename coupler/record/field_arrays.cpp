@@ -65,6 +65,19 @@ SortedFields sort_fields(const Message& message, std::string_view participant, s
   return sorted;
 }
 
+std::vector<Array> take_joint_arrays(Message& message, std::string_view participant) {
+  constexpr std::string_view prefix = "joint_";
+  Message joints(MessageType::fields);
+  for (const Array& array : message.arrays)
+    if (array.name.starts_with(prefix)) joints.arrays.push_back(array);
+  if (joints.arrays.empty()) return {};
+  std::erase_if(message.arrays, [&](const Array& array) { return array.name.starts_with(prefix); });
+  const std::uint64_t units = require_table(joints, participant, "joint_position", "float64", 2).shape[0];
+  (void)sort_fields(joints, participant, units, units, {});
+  for (Array& array : joints.arrays) array.name.erase(0, prefix.size());
+  return joints.arrays;
+}
+
 Message topology_arrays(const FractureNetwork& network) {
   std::vector<double> position, lumped_length, exposure_time;
   std::vector<std::uint64_t> id, fracture, role, ends, segment_id, segment_fracture, kind;

@@ -24,6 +24,12 @@ struct SortedFields {
 SortedFields sort_fields(const Message& message, std::string_view participant, std::uint64_t nodes,
                          std::uint64_t cells, const std::vector<std::string_view>& geometry_names);
 
+/// Takes the arrays whose names start with `joint_` out of `message` and leaves that away from their names:
+/// one row per contact unit. Empty without any. Throws ProtocolError, naming `participant` and the array, if
+/// there is no `joint_position` of two columns, if they differ in their rows, or for what sort_fields
+/// refuses.
+std::vector<Array> take_joint_arrays(Message& message, std::string_view participant);
+
 /// The array `name` of the message as a table. Throws ProtocolError if it is missing or not a `dtype` array
 /// of `columns` columns (and any number of rows).
 const Array& require_table(const Message& message, std::string_view participant, std::string_view name,

@@ -13,9 +13,9 @@ namespace fissura::coupler {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> ledger_columns{"interval", "time",         "injected",
-                                                         "in_place", "in_fractures", "leaked",
-                                                         "reset",    "residual",     "relative_residual"};
+constexpr std::array<std::string_view, 10> ledger_columns{
+    "interval",     "time",   "injected", "in_place", "found",
+    "in_fractures", "leaked", "reset",    "residual", "relative_residual"};
 
 double value_of(const IntervalRecord& record, std::string_view column) {
   return recorded_scalars()[recorded_scalar_index(column).value()].value(record);
@@ -40,7 +40,13 @@ std::string columns_json() {
 
 }  // namespace
 
-History::History() : values_(recorded_scalars().size()) {}
+History::History() : values_(recorded_scalars().size()) {
+  observe({});
+}
+
+void History::observe(const std::vector<std::string>& probes) {
+  probes_.emplace(probes);
+}
 
 void History::write_to(const std::filesystem::path& directory) {
   write_whole_file(directory / "columns.json", columns_json());
@@ -50,10 +56,12 @@ void History::write_to(const std::filesystem::path& directory) {
   for (const std::string_view column : ledger_columns) append_name(ledger_header, column);
   tables_->history.append(history_header + '\n');
   tables_->ledger.append(ledger_header + '\n');
+  probes_->write_to(directory);
   flush();
 }
 
-void History::add(const IntervalRecord& record) {
+void History::add(const IntervalRecord& record, const std::vector<ProbeValues>& probes) {
+  probes_->add(record.time, probes);
   std::string history_line, ledger_line;
   for (std::size_t column = 0; column < values_.size(); ++column) {
     const double value = recorded_scalars()[column].value(record);
@@ -68,6 +76,7 @@ void History::add(const IntervalRecord& record) {
 }
 
 void History::flush() {
+  probes_->flush();
   if (!tables_) return;
   tables_->history.flush();
   tables_->ledger.flush();
@@ -75,7 +84,7 @@ void History::flush() {
 
 std::optional<std::span<const double>> History::series(std::string_view name) const {
   const auto column = recorded_scalar_index(name);
-  if (!column) return std::nullopt;
+  if (!column) return probes_->series(name);
   return values_[*column];
 }
 

@@ -11,31 +11,39 @@
 
 #include "coupler/record/checked_file.hpp"
 #include "coupler/record/interval_record.hpp"
+#include "coupler/record/probes.hpp"
 
 namespace fissura::coupler {
 
-/// The series of all coupling times: in memory for the verdict, and on disk as history.csv and ledger.csv.
-/// Numbers are printed with the fewest digits that read back to the same double.
+/// The series of all coupling times: in memory for the verdict, and on disk as history.csv, ledger.csv and,
+/// with probes, probes.csv. Numbers are printed with the fewest digits that read back to the same double.
 class History {
  public:
-  /// Creates history.csv, ledger.csv and columns.json (names, units and meaning of the columns of both) in
-  /// `directory`. Until then add() only keeps the series in memory. Throws StorageError.
+  /// Of a run without probes.
+  History();
+
+  /// The run has probes of these names. @pre neither write_to() nor add() yet
+  void observe(const std::vector<std::string>& probes);
+
+  /// Creates history.csv, ledger.csv, columns.json (names, units and meaning of the columns of both) and
+  /// probes.csv in `directory`. Until then add() only keeps the series in memory. Throws StorageError.
   void write_to(const std::filesystem::path& directory);
 
-  /// Appends one coupling time. Throws StorageError.
-  void add(const IntervalRecord& record);
+  /// Appends one coupling time; see ProbeSeries::add for `probes`. Throws StorageError and ProtocolError.
+  void add(const IntervalRecord& record, const std::vector<ProbeValues>& probes);
+  /// The same without a word of the probes.
+  void add(const IntervalRecord& record) { add(record, {}); }
 
   /// Hands all lines to the system. Throws StorageError.
   void flush();
 
-  /// The values of column `name` at all coupling times; nothing if there is no such column.
+  /// The values of column `name` at all coupling times, or of a quantity of a probe (ProbeSeries::series);
+  /// nothing if there is none.
   [[nodiscard]] std::optional<std::span<const double>> series(std::string_view name) const;
 
   /// The last record. @pre size() > 0
   [[nodiscard]] const IntervalRecord& last() const;
   [[nodiscard]] std::size_t size() const { return values_.front().size(); }
-
-  History();
 
  private:
   struct Tables {
@@ -43,6 +51,7 @@ class History {
   };
   std::optional<Tables> tables_;
   std::vector<std::vector<double>> values_;  ///< one series per column
+  std::optional<ProbeSeries> probes_;
   IntervalRecord last_;
 };
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "common/errors.hpp"
+#include "coupler/record/csv_cell.hpp"
 
 namespace fissura::coupler {
 
@@ -22,14 +23,6 @@ double number(const nlohmann::json& object, const char* key) {
   const double value = object.at(key).get<double>();
   if (!std::isfinite(value)) throw ProtocolError(fmt::format("remeshing.{} is {}", key, value));
   return value;
-}
-
-/// Text of one CSV cell (RFC 4180).
-std::string in_a_cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return quoted + '"';
 }
 
 double median(std::vector<std::uint64_t> values) {
@@ -83,7 +76,7 @@ void RemeshLedger::add(std::uint64_t revision, double time, const Remeshing& ent
   }
   table_->append(
       fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", revision, time,
-                  in_a_cell(entry.fracture), entry.x, entry.y, entry.elements_removed, entry.elements_made,
+                  csv_cell(entry.fracture), entry.x, entry.y, entry.elements_removed, entry.elements_made,
                   entry.elements_untouched, entry.hash_before, entry.hash_after, entry.smallest_angle,
                   entry.smallest_altitude, entry.stable_step_before, entry.stable_step_after,
                   entry.strain_energy_before, entry.strain_energy_after, entry.kinetic_energy_before,

@@ -39,6 +39,8 @@ struct StoredReport {
   std::vector<StoredArray> mesh_nodes, mesh_elements;  ///< first dimension: nodes, elements of the mesh
   std::vector<StoredArray> network_nodes,
       network_segments;  ///< first dimension: nodes, segments of the network
+  std::vector<StoredArray>
+      joints;  ///< first dimension: contact units; empty without any, else with `position` [n x 2] (m)
 };
 
 struct ReportCatalogue {

@@ -19,6 +19,7 @@ struct RunDescription {
   int threads = 1;                                  ///< of the structure
   std::map<std::string, std::string> participants;  ///< role -> solver name and version
   std::map<std::string, std::string> libraries;     ///< name -> version, beyond what the coupler knows itself
+  std::vector<std::string> probes;                  ///< names of the case's probes
 };
 
 /// SHA-256 of the compact JSON text of `effective_case` (keys sorted); the case hash of run.json.

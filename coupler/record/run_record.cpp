@@ -29,12 +29,16 @@ void copy_inputs(const std::vector<std::filesystem::path>& files, const std::fil
 }  // namespace
 
 RunRecord::RunRecord(const std::filesystem::path& directory, int reports_per_segment)
-    : directory_(directory), remesh_ledger_(directory_.path()), segments_(directory_.path(), reports_per_segment) {
+    : directory_(directory),
+      remesh_ledger_(directory_.path()),
+      meeting_ledger_(directory_.path()),
+      segments_(directory_.path(), reports_per_segment) {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void RunRecord::begin(const RunDescription& description) {
   events_.emplace(directory() / "log.jsonl");
+  history_.observe(description.probes);
   history_.write_to(directory());
   copy_inputs(description.input_files, directory() / "input");
   write_whole_file(directory() / "effective_case.json", description.effective_case.dump(2) + "\n");
@@ -51,8 +55,15 @@ void RunRecord::remeshing(const FractureNetwork& network, const std::vector<Reme
   for (const Remeshing& entry : entries) remesh_ledger_.add(network.revision(), time_, entry);
 }
 
-void RunRecord::interval(const IntervalRecord& record) {
-  history_.add(record);
+void RunRecord::meetings(const FractureNetwork& network, const std::vector<Meeting>& meetings) {
+  for (const Meeting& meeting : meetings) {
+    meeting_ledger_.add(network.revision(), meeting);
+    event(EventLevel::info, "structure", "meeting", sentence(meeting));
+  }
+}
+
+void RunRecord::interval(const IntervalRecord& record, const std::vector<ProbeValues>& probes) {
+  history_.add(record, probes);
   interval_ = record.interval;
   time_ = record.time;
 }
@@ -61,6 +72,7 @@ void RunRecord::fields(double time, const Message& structure_fields, const Messa
                        const FractureNetwork& network, const std::vector<NodeField>& node_fields) {
   history_.flush();
   remesh_ledger_.flush();
+  meeting_ledger_.flush();
   if (segments_.add(time, structure_fields, network_fields, network, node_fields))
     write_xdmf(directory(), segments_.closed());
 }
@@ -74,6 +86,7 @@ void RunRecord::event(EventLevel level, const std::string& participant, const st
 void RunRecord::close() {
   history_.flush();
   remesh_ledger_.flush();
+  meeting_ledger_.flush();
   if (segments_.close()) write_xdmf(directory(), segments_.closed());
 }
 

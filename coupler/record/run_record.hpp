@@ -14,6 +14,8 @@
 #include "coupler/record/event_log.hpp"
 #include "coupler/record/history.hpp"
 #include "coupler/record/interval_record.hpp"
+#include "coupler/record/meetings.hpp"
+#include "coupler/record/probes.hpp"
 #include "coupler/record/remesh_ledger.hpp"
 #include "coupler/record/run_description.hpp"
 #include "coupler/record/run_directory.hpp"
@@ -43,11 +45,16 @@ class RunRecord {
   /// Notes what an insertion did to the mesh (buffered). Throws StorageError.
   void remeshing(const FractureNetwork& network, const std::vector<Remeshing>& entries);
 
-  /// Appends one line to history.csv and ledger.csv (buffered). Throws StorageError.
-  void interval(const IntervalRecord& record);
+  /// Notes which natural fractures an insertion met (buffered). Throws StorageError.
+  void meetings(const FractureNetwork& network, const std::vector<Meeting>& meetings);
+
+  /// Appends one line to history.csv and ledger.csv, and to probes.csv if there are probes (buffered).
+  /// `probes` has one entry for each probe of the run, or none from a structure that tells nothing of them.
+  /// Throws StorageError, and ProtocolError if there are more or fewer.
+  void interval(const IntervalRecord& record, const std::vector<ProbeValues>& probes);
 
   /// One field report at simulated `time` [s]: see Segments::add for the arrays of both FIELDS messages.
-  /// Flushes the tables; closes the segment when it is full, and then fields.xdmf and fractures.xdmf name it
+  /// Flushes the tables; closes the segment when it is full, and then the XDMF files name it
   /// too. `node_fields` hold one value per network node, in the order of network.nodes(). Throws
   /// StorageError, and ProtocolError if an array does not fit the mesh or the network.
   void fields(double time, const Message& structure_fields, const Message& network_fields,
@@ -60,6 +67,7 @@ class RunRecord {
 
   /// The series of all intervals so far, for the verdict.
   [[nodiscard]] const History& history() const { return history_; }
+  [[nodiscard]] const MeetingTotals& meeting_totals() const { return meeting_ledger_.totals(); }
   [[nodiscard]] RemeshTotals remesh_totals() const { return remesh_ledger_.totals(); }
   [[nodiscard]] const std::filesystem::path& directory() const { return directory_.path(); }
 
@@ -73,6 +81,7 @@ class RunRecord {
   RunDirectory directory_;
   History history_;
   RemeshLedger remesh_ledger_;
+  MeetingLedger meeting_ledger_;
   Segments segments_;
   std::optional<EventLog> events_;
   std::uint64_t interval_ = 0;  ///< of the last interval()

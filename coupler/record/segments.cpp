@@ -45,8 +45,10 @@ Segments::Segments(const std::filesystem::path& run_directory, int reports_per_s
   ENSURE(reports_per_segment > 0);
 }
 
-bool Segments::add(double time, const Message& structure_fields, const Message& network_fields,
+bool Segments::add(double time, const Message& all_structure_fields, const Message& network_fields,
                    const FractureNetwork& network, const std::vector<NodeField>& node_fields) {
+  Message structure_fields = all_structure_fields;
+  const std::vector<Array> joints = take_joint_arrays(structure_fields, "structure");
   StoredReport report;
   report.number = reports_ + 1;
   report.time = time;
@@ -80,6 +82,11 @@ bool Segments::add(double time, const Message& structure_fields, const Message& 
     write_all(of_coupler.cells, "fractures", "", report.network_segments);
     write_all(of_network.nodes, "network", "network_", report.network_nodes);
     write_all(of_network.cells, "network", "network_", report.network_segments);
+    for (const Array& array : joints) {
+      const bool is_direction = is_vector_of_the_plane(array) && array.name != "position";
+      report.joints.push_back(write(group + "/joints/" + array.name, array.name,
+                                    is_direction ? with_zero_third_column(array) : array));
+    }
     file_->write_attribute(group, "time", time);
     file_->write_attribute(group, "geometry", report.geometry);
     file_->write_attribute(group, "revision", report.revision);
@@ -143,8 +150,8 @@ void Segments::check_and_publish() {
   for (const auto& [geometry, mesh] : open_.meshes) check(mesh.position), check(mesh.elements);
   for (const auto& [revision, network] : open_.networks) check(network.position), check(network.segments);
   for (const StoredReport& report : open_.reports)
-    for (const auto* arrays :
-         {&report.mesh_nodes, &report.mesh_elements, &report.network_nodes, &report.network_segments})
+    for (const auto* arrays : {&report.mesh_nodes, &report.mesh_elements, &report.network_nodes,
+                               &report.network_segments, &report.joints})
       for (const StoredArray& array : *arrays) check(array);
 
   const std::string hash = sha256_of_file(part());

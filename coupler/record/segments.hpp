@@ -36,9 +36,9 @@ class Segments {
   /// `structure_fields`: body entry `geometry` (uint64); arrays `position` [n x 2] (m) and `elements` [m x 3]
   /// (uint64) at least with the first report of a geometry number; any further arrays with first dimension n
   /// (node values) or m (element values; n values if n = m). `network_fields`: arrays with one row per
-  /// network node or segment. Float64 arrays of two columns are stored with a third one of zeros: vectors,
-  /// for ParaView. Throws ProtocolError if an array does not fit, StorageError if the segment cannot be
-  /// written.
+  /// network node or segment. The structure's arrays `joint_*` have one row per contact unit
+  /// (take_joint_arrays). Float64 arrays of two columns are stored with a third one of zeros: vectors, for
+  /// ParaView. Throws ProtocolError if an array does not fit, StorageError if the segment cannot be written.
   bool add(double time, const Message& structure_fields, const Message& network_fields,
            const FractureNetwork& network, const std::vector<NodeField>& node_fields);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "coupler/record/checked_file.hpp"
@@ -133,9 +134,26 @@ std::string fractures_xdmf(const ReportCatalogue& catalogue) {
   return document("fractures", grids);
 }
 
+std::string joints_xdmf(const ReportCatalogue& catalogue) {
+  std::string grids;
+  for (const StoredReport& report : catalogue.reports) {
+    std::vector<StoredArray> values = report.joints;
+    const auto position = std::find_if(values.begin(), values.end(),
+                                       [](const StoredArray& array) { return array.name == "position"; });
+    if (position == values.end() || position->shape[0] == 0) continue;
+    const StoredArray points_of_grid = *position;
+    values.erase(position);
+    append_grid(grids, report, points(points_of_grid.shape[0]), points_of_grid, values, {});
+  }
+  return document("joints", grids);
+}
+
 void write_xdmf(const std::filesystem::path& run_directory, const ReportCatalogue& catalogue) {
   write_whole_file(run_directory / "fields.xdmf", fields_xdmf(catalogue));
   write_whole_file(run_directory / "fractures.xdmf", fractures_xdmf(catalogue));
+  const bool has_joints = std::any_of(catalogue.reports.begin(), catalogue.reports.end(),
+                                      [](const StoredReport& report) { return !report.joints.empty(); });
+  if (has_joints) write_whole_file(run_directory / "joints.xdmf", joints_xdmf(catalogue));
 }
 
 }  // namespace fissura::coupler

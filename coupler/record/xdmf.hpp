@@ -18,7 +18,11 @@ std::string fields_xdmf(const ReportCatalogue& catalogue);
 /// @pre every revision of a report is in `catalogue`
 std::string fractures_xdmf(const ReportCatalogue& catalogue);
 
-/// Writes both into `run_directory`, each replaced as a whole. Throws StorageError.
+/// joints.xdmf: the contact units (points) with their values, one grid per report that has any.
+std::string joints_xdmf(const ReportCatalogue& catalogue);
+
+/// Writes them into `run_directory`, each replaced as a whole; the joints only if there are any. Throws
+/// StorageError.
 void write_xdmf(const std::filesystem::path& run_directory, const ReportCatalogue& catalogue);
 
 }  // namespace fissura::coupler

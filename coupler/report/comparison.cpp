@@ -34,13 +34,13 @@ json curve(const Series& series) {
 
 }  // namespace
 
-json comparison(const fs::path& run_directory, double end_time) {
+json comparison(const fs::path& run_directory, double end_time, const std::vector<std::string>& probes) {
   json curves = json::object(), points = json::array();
   std::string remark;
   try {
     const fs::path file = expectations_file(run_directory / "input");
     const Expectations expectations =
-        file.empty() ? Expectations{} : read_expectations(file, end_time, judgeable_columns());
+        file.empty() ? Expectations{} : read_expectations(file, end_time, judgeable_columns(probes));
     for (const ExpectedQuantity& quantity : expectations.quantities) {
       if (quantity.measure == Measure::mean_relative_error)
         curves[quantity.name] = curve(ReferenceTable(quantity.reference).series(quantity.name));

@@ -70,6 +70,13 @@ json remeshing_table(const fs::path& file) {
   return table(csv, evenly_spread(csv.rows(), csv.rows()), {"fracture", "hash_before", "hash_after"});
 }
 
+std::vector<std::string> probe_names(const json& run_case) {
+  std::vector<std::string> names;
+  for (const json& probe : run_case.value("output", json::object()).value("probes", json::array()))
+    names.push_back(probe.at("name"));
+  return names;
+}
+
 json in_situ_axes(const json& run_case) {
   const json& in_situ = run_case.at("in_situ");
   const json& stress = in_situ.at("stress");
@@ -111,7 +118,7 @@ json report_data(const fs::path& run_directory) {
   data["history"] = table(history, rows, {});
   data["ledger"] = table(CsvColumns(run_directory / "ledger.csv"), rows, {});
   data["remeshing"] = remeshing_table(run_directory / "remeshing.csv");
-  data["comparison"] = comparison(run_directory, run_case.at("time").at("end"));
+  data["comparison"] = comparison(run_directory, run_case.at("time").at("end"), probe_names(run_case));
   data["classical"] =
       history.rows() == 0 ? json() : classical_curves(run_case, history.numbers("time").back());
   data["map"] = fracture_map(reports, most_maps);

@@ -64,6 +64,17 @@ Ledger read_ledger(const nlohmann::json& object) {
   return ledger;
 }
 
+NaturalFractureFigures read_natural_fractures(const nlohmann::json& object) {
+  NaturalFractureFigures figures;
+  figures.greatest_slip = entry<double>(object, "greatest_slip");
+  figures.slipped_length = entry<double>(object, "slipped_length");
+  figures.opened_length = entry<double>(object, "opened_length");
+  figures.wetted_length = entry<double>(object, "wetted_length");
+  figures.slip_distance = entry<double>(object, "slip_distance");
+  figures.greatest_far_slip = entry<double>(object, "greatest_far_slip");
+  return figures;
+}
+
 }  // namespace
 
 double relative_residual(const Ledger& ledger) {
@@ -95,6 +106,11 @@ StructureResponse read_response(const Message& message, const FractureNetwork& n
   if (energy.contains("cohesive")) response.cohesive_work = entry<double>(energy, "cohesive");
   if (energy.contains("failure")) response.failure_work = entry<double>(energy, "failure");
   if (message.body.contains("elements")) response.elements = message.value<std::uint64_t>("elements");
+  if (message.body.contains("natural_fractures"))
+    response.natural_fractures = read_natural_fractures(message.body["natural_fractures"]);
+  if (message.body.contains("probes"))
+    for (const nlohmann::json& probe : message.body["probes"])
+      response.probes.push_back(probe_values_from_json(probe));
   if (const auto proposal = message.body.find("insertion"); proposal != message.body.end())
     response.proposal = insertion_from_json(*proposal);
   return response;
@@ -106,6 +122,14 @@ std::vector<Remeshing> read_remeshing(const Message& acknowledgement) {
   if (found == acknowledgement.body.end()) return entries;
   for (const nlohmann::json& object : *found) entries.push_back(remeshing_from_json(object));
   return entries;
+}
+
+std::vector<Meeting> read_meetings(const Message& acknowledgement) {
+  std::vector<Meeting> meetings;
+  const auto found = acknowledgement.body.find("meetings");
+  if (found == acknowledgement.body.end()) return meetings;
+  for (const nlohmann::json& object : *found) meetings.push_back(meeting_from_json(object));
+  return meetings;
 }
 
 NetworkAnswer read_pressure(const Message& message, const FractureNetwork& network, const PressureRange& range) {

@@ -9,6 +9,8 @@
 #include "common/exchange/message.hpp"
 #include "common/fracture_network/fracture_network.hpp"
 #include "coupler/record/interval_record.hpp"
+#include "coupler/record/meetings.hpp"
+#include "coupler/record/probes.hpp"
 #include "coupler/record/remesh_ledger.hpp"
 
 /// From messages to values, with every check that physics allows. Arrays have one value per node of the network.
@@ -28,6 +30,8 @@ struct StructureResponse {
   std::optional<double> strain_energy;           ///< [J], if it was asked for
   double cohesive_work = 0, failure_work = 0;    ///< so far [J]; 0 from a structure that does not tell
   std::uint64_t elements = 0;                    ///< of the mesh; the same
+  NaturalFractureFigures natural_fractures;      ///< the same
+  std::vector<ProbeValues> probes;               ///< in the order of the case; empty from a structure that does not tell
   std::optional<Insertion> proposal;
 };
 
@@ -48,6 +52,8 @@ struct NetworkAnswer {
 StructureResponse read_response(const Message& message, const FractureNetwork& network, const PressureRange& range);
 /// What the insertion did to the mesh; empty from a structure that does not tell. Throws ProtocolError.
 std::vector<Remeshing> read_remeshing(const Message& acknowledgement);
+/// The meetings of the insertion, each with its decision; empty without any. Throws ProtocolError.
+std::vector<Meeting> read_meetings(const Message& acknowledgement);
 NetworkAnswer read_pressure(const Message& message, const FractureNetwork& network, const PressureRange& range);
 
 /// |residual| over the largest volume in the book.

@@ -39,6 +39,13 @@ VolumeDifference volume_difference(const FractureNetwork& network, const Structu
   return difference;
 }
 
+double junction_pressure(const FractureNetwork& network, const std::vector<double>& pressure) {
+  double greatest = 0;
+  for (std::size_t i = 0; i < pressure.size(); ++i)
+    if (network.nodes()[i].role == NodeRole::junction) greatest = std::max(greatest, pressure[i]);
+  return greatest;
+}
+
 std::vector<double> opened(const StructureResponse& structure) {
   std::vector<double> marks;
   for (const double closed : structure.closed) marks.push_back(1 - closed);
@@ -88,13 +95,15 @@ IntervalRecord interval_figures(const CouplingInterval& interval, const Fracture
   record.well_pressure = answer.well_pressure;
   record.rate = answer.rate;
   record.ledger = answer.ledger;
-  const double supplied = answer.ledger.injected + answer.ledger.in_place;
+  const double supplied = answer.ledger.injected + answer.ledger.in_place + answer.ledger.found;
   record.efficiency = supplied > 0 ? answer.ledger.in_fractures / supplied : 1;
   const VolumeDifference difference = volume_difference(network, structure, answer);
   record.mismatch = difference.volume > 0 ? std::abs(difference.sum) / difference.volume : 0;
   record.drift = drift(network, structure, answer);
   record.newton_iterations = answer.newton_iterations;
   record.halvings = answer.halvings;
+  record.natural_fractures = structure.natural_fractures;
+  record.junction_pressure = junction_pressure(network, answer.pressure);
   record.kinetic_energy = structure.kinetic_energy;
   record.mass_scale = structure.mass_scale;
   record.stable_step = structure.stable_step;

@@ -130,7 +130,9 @@ void StaggeredScheme::record_interval(const CouplingInterval& interval, const Ne
   add_growth_figures(network_, path_, response, case_, figures);
   if (response.strain_energy) strain_energy_ = *response.strain_energy;
   figures.strain_energy = strain_energy_;
-  record_.interval(figures);
+  figures.meetings = record_.meeting_totals().met;
+  figures.crossings = record_.meeting_totals().crossed;
+  record_.interval(figures, response.probes);
   progress_.show(figures);
 }
 
@@ -168,6 +170,7 @@ void StaggeredScheme::insert(const Insertion& insertion) {
     if (role != Role::structure) continue;
     structure_ = read_response(acknowledgement, network_, case_.pressure_range);
     record_.remeshing(network_, read_remeshing(acknowledgement));
+    record_.meetings(network_, read_meetings(acknowledgement));
   }
   compliance_ = interface_compliance(network_, case_.rock.plane_strain_modulus(), case_.coupling.compliance_factor);
   path_ = fracture_path(network_, case_);

@@ -62,6 +62,7 @@ Json ledger_json(const History& history) {
   const Ledger ledger = history.size() > 0 ? history.last().ledger : Ledger{};
   return {{"injected", ledger.injected},
           {"in_place", ledger.in_place},
+          {"found", ledger.found},
           {"in_fractures", ledger.in_fractures},
           {"leaked", ledger.leaked},
           {"reset", ledger.reset},
@@ -70,14 +71,10 @@ Json ledger_json(const History& history) {
 
 Json wall_json(const WallTimes& wall) {
   const double loops = wall.element + wall.joint;
-  return {{"total_s", wall.total},
-          {"structure_s", wall.structure},
-          {"element_s", wall.element},
-          {"joint_s", wall.joint},
-          {"network_s", wall.network},
-          {"coupler_s", wall.coupler},
-          {"waiting_s", wall.waiting},
-          {"structure_loops_share", wall.total > 0 ? loops / wall.total : 0}};
+  return {{"total_s", wall.total},     {"structure_s", wall.structure},
+          {"element_s", wall.element}, {"joint_s", wall.joint},
+          {"network_s", wall.network}, {"coupler_s", wall.coupler},
+          {"waiting_s", wall.waiting}, {"structure_loops_share", wall.total > 0 ? loops / wall.total : 0}};
 }
 
 Json remeshing_json(const RemeshTotals& totals) {
@@ -91,6 +88,22 @@ Json remeshing_json(const RemeshTotals& totals) {
           {"largest_mass_error", totals.largest_mass_error},
           {"largest_momentum_error", totals.largest_momentum_error},
           {"strain_energy_jump", totals.strain_energy_jump}};
+}
+
+Json natural_fractures_json(const MeetingTotals& meetings, const History& history) {
+  const IntervalRecord last = history.size() > 0 ? history.last() : IntervalRecord{};
+  const NaturalFractureFigures& figures = last.natural_fractures;
+  return {{"met", meetings.met},
+          {"crossed", meetings.crossed},
+          {"arrested", meetings.met - meetings.crossed},
+          {"wetted_length", figures.wetted_length},
+          {"slipped_length", figures.slipped_length},
+          {"opened_length", figures.opened_length},
+          {"greatest_slip", figures.greatest_slip},
+          {"slip_distance", figures.slip_distance},
+          {"greatest_far_slip", figures.greatest_far_slip},
+          {"greatest_junction_pressure", worst(column(history, "junction_pressure"))},
+          {"found", last.ledger.found}};
 }
 
 Json failure_json(const Failure& failure) {
@@ -117,6 +130,7 @@ nlohmann::ordered_json summary_json(const Verdict& verdict, const History& histo
                          {"explicit_steps", sum(column(history, "explicit_steps"))},
                          {"insertions", figures.insertions}};
   summary["remeshing"] = remeshing_json(figures.remeshing);
+  summary["natural_fractures"] = natural_fractures_json(figures.meetings, history);
   summary["wall"] = wall_json(figures.wall);
   summary["mesh"] = {{"elements", figures.elements}, {"nodes", figures.nodes}};
   if (figures.failure) summary["failure"] = failure_json(*figures.failure);

@@ -8,6 +8,7 @@
 
 #include "common/errors.hpp"
 #include "coupler/record/history.hpp"
+#include "coupler/record/meetings.hpp"
 #include "coupler/record/remesh_ledger.hpp"
 #include "coupler/verdict/verdict.hpp"
 
@@ -39,6 +40,7 @@ struct RunFigures {
   std::uint64_t elements = 0, nodes = 0;  ///< of the structure's last mesh
   std::uint64_t insertions = 0;           ///< changes of the topology after revision 0
   RemeshTotals remeshing;
+  MeetingTotals meetings;
   std::optional<Failure> failure;
 };
 

@@ -155,9 +155,11 @@ const char* name(Judgement judgement) {
   return "unknown";
 }
 
-std::vector<fissura::HistoryColumn> judgeable_columns() {
+std::vector<fissura::HistoryColumn> judgeable_columns(const std::vector<std::string>& probes) {
   std::vector<fissura::HistoryColumn> columns;
-  for (const RecordedScalar& scalar : recorded_scalars()) columns.push_back({scalar.name, scalar.unit});
+  for (const RecordedScalar& scalar : recorded_scalars())
+    columns.push_back({std::string(scalar.name), scalar.unit});
+  for (const ProbeColumn& column : probe_columns(probes)) columns.push_back({column.name, column.unit});
   return columns;
 }
 

@@ -38,8 +38,9 @@ struct Verdict {
   std::vector<QuantityResult> quantities;  ///< in the order of expected.toml
 };
 
-/// The columns that expected.toml may judge, for read_expectations().
-std::vector<fissura::HistoryColumn> judgeable_columns();
+/// What expected.toml may judge in a run with probes of these names, for read_expectations(): the columns of
+/// history.csv and the quantities of the probes (ProbeSeries::series).
+std::vector<fissura::HistoryColumn> judgeable_columns(const std::vector<std::string>& probes);
 
 /// Reads every reference that is named, so that a bad one is known before the run. Throws InputError.
 void check_references(const Expectations& expectations);

@@ -94,6 +94,14 @@ Message without_mesh(Message fields) {
   return fields;
 }
 
+Message with_joints(Message fields, double time) {
+  fields.add("joint_position", "m", std::vector<double>{0.25, 0.5, 0.75, 0.5}, 2, 2);
+  fields.add("joint_normal", "1", std::vector<double>{0, 1, 0.6, 0.8}, 2, 2);
+  fields.add("joint_slip", "m", std::vector<double>{time, -time});
+  fields.add_bytes("joint_kind", std::vector<std::byte>{std::byte{1}, std::byte{0}});
+  return fields;
+}
+
 Message network_fields(const FractureNetwork& network) {
   Message fields(MessageType::fields);
   fields.add("content", "m", std::vector<double>(network.nodes().size(), 1e-4));
@@ -124,7 +132,7 @@ IntervalRecord interval(std::uint64_t number, double time) {
   record.inlet_net_pressure = 1e6;
   record.well_pressure = 32e6;
   record.rate = 2e-3;
-  record.ledger = {1e-3, 2e-6, 9e-4, 1e-4, 3e-9, 1e-19, 1e-16};
+  record.ledger = {1e-3, 2e-6, 5e-6, 9e-4, 1e-4, 3e-9, 1e-19, 1e-16};
   record.efficiency = 0.875;
   record.mismatch = 2e-4;
   record.drift = 3e-4;
@@ -139,6 +147,10 @@ IntervalRecord interval(std::uint64_t number, double time) {
   record.path_angle = 0.02;
   record.first_angle = 0.05;
   record.end_angle = 0.07;
+  record.natural_fractures = {2.5e-4, 6, 1.25, 7, 1.5, 8e-6};
+  record.meetings = 9;
+  record.crossings = 5;
+  record.junction_pressure = 30e6;
   record.elements = 7000;
   record.mass_scale = 250;
   record.stable_step = 1e-5;

@@ -42,6 +42,9 @@ FractureNetwork grown_network();
 Message structure_fields(double time, std::uint64_t geometry, std::uint64_t extra_nodes);
 Message without_mesh(Message fields);
 
+/// Adds position, normal, slip `time` and kind of two contact units to FIELDS of the structure.
+Message with_joints(Message fields, double time);
+
 /// FIELDS of the network: `content` of every node.
 Message network_fields(const FractureNetwork& network);
 

@@ -30,7 +30,7 @@ TEST_CASE("a run leaves exactly the files that docs/results.md lists", "[coupler
     RunRecord record(folder.path() / "run", 20);
     record.begin(description(folder.path() / "case.toml"));
     record.topology(network);
-    record.interval(sample::interval(1, 0.5));
+    record.interval(sample::interval(1, 0.5), {});
     record.fields(0.5, sample::structure_fields(0.5, 0, 0), sample::network_fields(network), network,
                   sample::node_fields(network, 0.5));
     record.event(EventLevel::info, "network", "halving", "once");

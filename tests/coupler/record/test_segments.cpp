@@ -131,3 +131,33 @@ TEST_CASE("fields that do not fit mesh or network are refused by name, and nothi
   }
   CHECK_FALSE(std::filesystem::exists(folder.path() / "segments"));
 }
+
+TEST_CASE("contact units are stored beside the mesh fields, however many there are", "[coupler][record]") {
+  const sample::TemporaryDirectory folder;
+  const FractureNetwork network = sample::network();
+  Segments segments(folder.path(), 2);
+  add(segments, 1, sample::structure_fields(1, 0, 0), network);
+  add(segments, 2, sample::with_joints(sample::structure_fields(2, 0, 0), 2), network);
+  CHECK(segments.closed().reports[0].joints.empty());
+  CHECK(segments.closed().reports[1].joints.size() == 4);
+  const Hdf5File file = Hdf5File::open(folder.path() / "segments" / "000001.h5");
+  CHECK(sample::doubles(file.read("/reports/000002/joints/slip")) == std::vector<double>{2, -2});
+  CHECK(file.read("/reports/000002/joints/slip").unit == "m");
+  CHECK(sample::doubles(file.read("/reports/000002/joints/position")) ==
+        std::vector<double>{0.25, 0.5, 0.75, 0.5});
+  CHECK(sample::doubles(file.read("/reports/000002/joints/normal")) ==
+        std::vector<double>{0, 1, 0, 0.6, 0.8, 0});
+  CHECK_FALSE(file.has("/reports/000002/structure/joint_slip"));
+}
+
+TEST_CASE("contact units without a place, or with another number of rows, are refused", "[coupler][record]") {
+  const sample::TemporaryDirectory folder;
+  const FractureNetwork network = sample::network();
+  Segments segments(folder.path(), 1);
+  Message fields = sample::structure_fields(0, 0, 0);
+  fields.add("joint_slip", "m", std::vector<double>(2));
+  CHECK_THROWS_WITH(add(segments, 0, fields, network), Catch::Contains("lack \"joint_position\""));
+  fields.add("joint_position", "m", std::vector<double>(6), 3, 2);
+  CHECK_THROWS_WITH(add(segments, 0, fields, network),
+                    Catch::Contains("\"joint_slip\" of the structure has 2 rows; 3"));
+}

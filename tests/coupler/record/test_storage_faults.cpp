@@ -52,7 +52,7 @@ void record_without_end(const std::filesystem::path& directory, std::uint64_t no
   const FractureNetwork network = sample::network();
   for (std::uint64_t number = 1;; ++number) {
     const double time = double(number);
-    record.interval(sample::interval(number, time));
+    record.interval(sample::interval(number, time), {});
     record.fields(time, sample::structure_fields(time, number, nodes_per_report * number),
                   sample::network_fields(network), network, sample::node_fields(network, time));
   }

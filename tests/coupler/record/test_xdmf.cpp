@@ -123,7 +123,7 @@ TEST_CASE("units with markup signs keep the XML well formed", "[coupler][record]
   ReportCatalogue catalogue;
   StoredArray array{"odd", "float64", "a<b & \"c\"", {1}, "segments/000001.h5:/odd"};
   catalogue.meshes[0] = {array, array};
-  catalogue.reports.push_back({1, 0.5, 0, 0, {array}, {}, {}, {}});
+  catalogue.reports.push_back({1, 0.5, 0, 0, {array}, {}, {}, {}, {}});
   CHECK(is_well_formed(fields_xdmf(catalogue)));
 }
 
@@ -174,4 +174,28 @@ TEST_CASE("every report is drawn on the mesh it was made with", "[coupler][recor
     for (const std::uint64_t corner : indices_of(folder.path(), mesh.elements))
       CHECK(corner < mesh.position.shape[0]);
   }
+}
+
+TEST_CASE("contact units are points with their values; without any there is no file of them",
+          "[coupler][record]") {
+  const sample::TemporaryDirectory folder;
+  const FractureNetwork network = sample::network();
+  Segments segments(folder.path(), 1);
+  const auto add = [&](double time, const Message& structure) {
+    segments.add(time, structure, sample::network_fields(network), network,
+                 sample::node_fields(network, time));
+    write_xdmf(folder.path(), segments.closed());
+  };
+  add(1, sample::structure_fields(1, 0, 0));
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "joints.xdmf"));
+  add(2, sample::with_joints(sample::structure_fields(2, 0, 0), 2));
+  const std::string xml = sample::content(folder.path() / "joints.xdmf");
+  CHECK(is_well_formed(xml));
+  const auto items = data_items(xml);
+  // Position as geometry; normal, slip and kind as values.
+  CHECK(items.size() == 4);
+  for (const DataItem& item : items)
+    CHECK(Hdf5File::open(folder.path() / item.file).describe(item.dataset).shape == item.shape);
+  CHECK(xml.find("Polyvertex") != std::string::npos);
+  CHECK(xml.find("<Time Value=\"1\"/>") == std::string::npos);
 }

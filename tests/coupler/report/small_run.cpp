@@ -62,9 +62,9 @@ void write(const std::filesystem::path& directory, Comparison comparison) {
   RunRecord record(directory, 1);
   record.begin(description);
   const FractureNetwork first = sample::network(), grown = sample::grown_network();
-  record.interval(sample::interval(1, 0.5));
+  record.interval(sample::interval(1, 0.5), {});
   record.fields(0.5, structure_fields(), network_fields(first), first, {});
-  record.interval(sample::interval(2, 1.0));
+  record.interval(sample::interval(2, 1.0), {});
   record.fields(1.0, sample::without_mesh(structure_fields()), network_fields(grown), grown, {});
   record.close();
 }

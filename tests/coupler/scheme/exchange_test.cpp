@@ -86,6 +86,45 @@ TEST_CASE("a sound RESPONSE is read as it was sent", "[coupler][scheme]") {
   CHECK_FALSE(response.proposal.has_value());
 }
 
+TEST_CASE("a structure may tell of natural fractures and probes, and need not", "[coupler][scheme]") {
+  const FractureNetwork network = chain_network(3, 1, 0);
+  Message message = response_of(response_arrays());
+  const StructureResponse silent = read_response(message, network, range);
+  CHECK(silent.natural_fractures.greatest_slip == 0);
+  CHECK(silent.probes.empty());
+  message.body["natural_fractures"] = {{"greatest_slip", 2e-4}, {"slipped_length", 6.0},
+                                       {"opened_length", 1.5},  {"wetted_length", 7.0},
+                                       {"slip_distance", 2.5},  {"greatest_far_slip", 3e-6}};
+  message.body["probes"] = {{{"stress_xx", -15e6},
+                             {"stress_yy", -10e6},
+                             {"stress_xy", 1e5},
+                             {"displacement_x", 1e-3},
+                             {"displacement_y", -2e-3},
+                             {"slip", nullptr},
+                             {"opening", nullptr},
+                             {"normal_traction", nullptr},
+                             {"shear_traction", nullptr}}};
+  const StructureResponse told = read_response(message, network, range);
+  CHECK(told.natural_fractures.greatest_slip == 2e-4);
+  CHECK(told.natural_fractures.slipped_length == 6);
+  CHECK(told.natural_fractures.opened_length == 1.5);
+  CHECK(told.natural_fractures.wetted_length == 7);
+  CHECK(told.natural_fractures.slip_distance == 2.5);
+  CHECK(told.natural_fractures.greatest_far_slip == 3e-6);
+  REQUIRE(told.probes.size() == 1);
+  CHECK(told.probes[0].stress_yy == -10e6);
+  CHECK_FALSE(told.probes[0].slip.has_value());
+  message.body["natural_fractures"].erase("slip_distance");
+  CHECK_THROWS_WITH(read_response(message, network, range), Catch::Contains("slip_distance"));
+}
+
+TEST_CASE("an insertion need not meet anything", "[coupler][scheme]") {
+  Message acknowledgement(MessageType::acknowledge);
+  CHECK(read_meetings(acknowledgement).empty());
+  acknowledgement.body["meetings"] = {{{"time", 2.5}}};
+  CHECK_THROWS_AS(read_meetings(acknowledgement), ProtocolError);
+}
+
 TEST_CASE("a sound PRESSURE is read as it was sent, and its ledger balanced anew", "[coupler][scheme]") {
   const NetworkAnswer answer = read_pressure(pressure_of(pressure_arrays()), chain_network(3, 1, 0), range);
   CHECK(answer.pressure[1] == 7e6);

@@ -115,3 +115,26 @@ TEST_CASE("the inlet's figures are its opening without the stored aperture and i
   CHECK(record.time == 2.5);
   CHECK(record.duration == 1.5);
 }
+
+TEST_CASE("the junction pressure is the greatest over junctions, and zero without any", "[coupler][scheme]") {
+  const Inlet inlet{2, 1e-5, 5e6};
+  CHECK(interval_figures({3, 1, 2}, chain_network(5, 1, 0), inlet, some_structure(), some_answer())
+            .junction_pressure == 0);
+  Insertion insertion = test::chain(5, 1, 0);
+  insertion.new_nodes[1].role = insertion.new_nodes[3].role = NodeRole::junction;
+  FractureNetwork network;
+  network.apply(insertion);
+  NetworkAnswer answer = some_answer();
+  answer.pressure = {9e6, 5e6, 8e6, 6e6, 0};
+  CHECK(interval_figures({3, 1, 2}, network, inlet, some_structure(), answer).junction_pressure == 6e6);
+}
+
+TEST_CASE("fluid that was found in natural fractures counts as supplied in the efficiency",
+          "[coupler][scheme]") {
+  NetworkAnswer answer = some_answer();
+  answer.ledger.injected = 3;
+  answer.ledger.found = 1;
+  answer.ledger.in_fractures = 2;
+  CHECK(interval_figures({3, 1, 2}, chain_network(5, 1, 0), Inlet{2, 1e-5, 5e6}, some_structure(), answer)
+            .efficiency == 0.5);
+}

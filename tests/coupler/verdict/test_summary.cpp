@@ -15,12 +15,14 @@ History two_intervals() {
   record.time = 1;
   record.explicit_steps = 10;
   record.mismatch = 3e-3;
-  record.ledger = {1, 2, 3, 4, 5, 6, 1e-12};
+  record.ledger = {1, 2, 0, 3, 4, 5, 6, 1e-12};
   history.add(record);
   record.time = 4;
   record.explicit_steps = 20;
   record.mismatch = 1e-3;
-  record.ledger = {10, 2, 8, 4, 0, 0, 1e-15};
+  record.natural_fractures = {2.5e-4, 6, 1.25, 7, 1.5, 8e-6};
+  record.junction_pressure = 11e6;
+  record.ledger = {10, 2, 0.5, 8, 4, 0, 0, 1e-15};
   history.add(record);
   return history;
 }
@@ -38,6 +40,7 @@ TEST_CASE("the summary has the keys that scripts rely on", "[coupler][verdict]")
   figures.nodes = 3600;
   figures.insertions = 3;
   figures.remeshing = {3, 26, 40, true, 0.5, 0.006, 5e-15, 1e-15, 0.75, 1.5};
+  figures.meetings = {3, 2};
   const auto summary = summary_json(verdict, two_intervals(), figures);
 
   CHECK(summary["verdict"] == "pass");
@@ -52,6 +55,7 @@ TEST_CASE("the summary has the keys that scripts rely on", "[coupler][verdict]")
   CHECK(summary["quantities"][1]["relative_error"].is_null());
   CHECK(summary["ledger"]["injected"] == 10);
   CHECK(summary["ledger"]["in_fractures"] == 8);
+  CHECK(summary["ledger"]["found"] == 0.5);
   CHECK(summary["ledger"]["leaked"] == 4);
   CHECK(summary["ledger"]["max_relative_residual"] == 1e-12);
   // One second of 3e-3 and three of 1e-3.
@@ -67,6 +71,18 @@ TEST_CASE("the summary has the keys that scripts rely on", "[coupler][verdict]")
   CHECK(summary["remeshing"]["smallest_angle"] == 0.5);
   CHECK(summary["remeshing"]["wall_s"] == 0.006);
   CHECK(summary["remeshing"]["largest_mass_error"] == 5e-15);
+  const auto& natural = summary["natural_fractures"];
+  CHECK(natural["met"] == 3);
+  CHECK(natural["crossed"] == 2);
+  CHECK(natural["arrested"] == 1);
+  CHECK(natural["wetted_length"] == 7);
+  CHECK(natural["slipped_length"] == 6);
+  CHECK(natural["opened_length"] == 1.25);
+  CHECK(natural["greatest_slip"] == 2.5e-4);
+  CHECK(natural["slip_distance"] == 1.5);
+  CHECK(natural["greatest_far_slip"] == 8e-6);
+  CHECK(natural["greatest_junction_pressure"] == 11e6);
+  CHECK(natural["found"] == 0.5);
   CHECK(summary["wall"]["total_s"] == 10);
   CHECK(summary["wall"]["structure_s"] == 9);
   CHECK(summary["wall"]["element_s"] == 7);

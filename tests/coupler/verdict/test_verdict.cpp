@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "common/errors.hpp"
@@ -199,4 +200,42 @@ TEST_CASE("a bad reference is known before the run", "[coupler][verdict]") {
   CHECK_THROWS_AS(check_references({{expected}}), InputError);
   expected.name = "efficiency";
   CHECK_NOTHROW(check_references({{expected}}));
+}
+
+TEST_CASE("a probe is judged by its quantities and by their change from the first coupling time",
+          "[coupler][verdict]") {
+  History history;
+  history.observe({"between"});
+  for (int i = 1; i <= 3; ++i) {
+    IntervalRecord record;
+    record.time = i;
+    ProbeValues values;
+    values.stress_yy = -10e6 - 1e6 * (i - 1);
+    history.add(record, {values});
+  }
+  ExpectedQuantity expected = quantity("probe.between.stress_yy", "MPa", 1e6, Measure::value_at);
+  expected.at = 3;
+  expected.value = -12e6;
+  expected.tolerance = 1e-12;
+  CHECK(judge_one(expected, history).pass);
+  expected.name = "probe.between.stress_yy_change";
+  expected.value = -2e6;
+  CHECK(judge_one(expected, history).pass);
+  expected.value = -2.1e6;
+  CHECK_FALSE(judge_one(expected, history).pass);
+  // No joint is near: nothing to judge, and so a failure.
+  expected.name = "probe.between.slip";
+  CHECK_FALSE(judge_one(expected, history).pass);
+  CHECK(judge_one(expected, history).remark.find("not finite") != std::string::npos);
+}
+
+TEST_CASE("the quantities of a probe may be expected under its name, with their units",
+          "[coupler][verdict]") {
+  std::map<std::string, std::string_view> unit;
+  for (const HistoryColumn& column : judgeable_columns({"between"})) unit[column.name] = column.unit;
+  CHECK(unit.at("junction_pressure") == "Pa");
+  CHECK(unit.at("meetings") == "1");
+  CHECK(unit.at("probe.between.stress_xy_change") == "Pa");
+  CHECK(unit.at("probe.between.slip") == "m");
+  CHECK_FALSE(unit.contains("probe.elsewhere.slip"));
 }
