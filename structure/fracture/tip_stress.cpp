@@ -6,12 +6,11 @@
 #include "structure/dynamics/element_fields.hpp"
 #include "structure/dynamics/triangle.hpp"
 #include "structure/fracture/connected_elements.hpp"
+#include "structure/fracture/triangle_integral.hpp"
 
 namespace fissura::structure {
 
 namespace {
-
-constexpr int divisions = 4;  // of an element's edges, into triangles whose centroids are the points of integration
 
 double weight_at(const HalfDisc& disc, const Point& at) {
   const double x = at[0] - disc.centre[0], y = at[1] - disc.centre[1];
@@ -21,28 +20,11 @@ double weight_at(const HalfDisc& disc, const Point& at) {
   return disc.weighting == HalfDisc::Weighting::ahead ? ahead * ahead * gaussian : gaussian;
 }
 
-/// Integral of the weight over a triangle.
-double weight_of(const HalfDisc& disc, const std::array<Point, 3>& corner, double area) {
-  double sum = 0;
-  const auto add = [&](double second, double third) {
-    const double first = divisions - second - third;
-    Point at{};
-    for (std::size_t axis = 0; axis < 2; ++axis)
-      at[axis] = (first * corner[0][axis] + second * corner[1][axis] + third * corner[2][axis]) / divisions;
-    sum += weight_at(disc, at);
-  };
-  for (int i = 0; i < divisions; ++i)
-    for (int j = 0; i + j < divisions; ++j) {
-      add(i + 1.0 / 3, j + 1.0 / 3);
-      if (i + j + 1 < divisions) add(i + 2.0 / 3, j + 2.0 / 3);
-    }
-  return sum * area / (divisions * divisions);
-}
-
 }  // namespace
 
 InPlane<double> average_stress(const Mesh& mesh, const NodeElements& node_elements, const Body& body,
-                               const Elasticity& moduli, const std::vector<double>& displacement, const HalfDisc& disc) {
+                               const Elasticity& moduli, const std::vector<double>& displacement,
+                               const HalfDisc& disc) {
   InPlane<double> sum{0, 0, 0};
   double weights = 0;
   const auto add = [&](ElementIndex element, double weight) {
@@ -53,10 +35,14 @@ InPlane<double> average_stress(const Mesh& mesh, const NodeElements& node_elemen
     sum.xy += weight * stress.xy;
     weights += weight;
   };
-  for (const ElementIndex element : connected_elements(mesh, node_elements, disc.node, disc.centre, disc.radius)) {
+  for (const ElementIndex element :
+       connected_elements(mesh, node_elements, disc.node, disc.centre, disc.radius)) {
     const auto& [a, b, c] = mesh.elements[element];
     const std::array<Point, 3> corner{mesh.position[a], mesh.position[b], mesh.position[c]};
-    if (const double weight = weight_of(disc, corner, triangle(mesh, element).area); weight > 0) add(element, weight);
+    if (const double weight = integral_over(corner, triangle(mesh, element).area,
+                                            [&](const Point& at) { return weight_at(disc, at); });
+        weight > 0)
+      add(element, weight);
   }
   if (weights == 0)
     for (const ElementIndex element : node_elements.of(disc.node)) add(element, triangle(mesh, element).area);
