@@ -11,7 +11,9 @@ double normal_compliance(double fracture_normal_stiffness) {
   return fracture_normal_stiffness > 0 ? 1 / fracture_normal_stiffness : 0;
 }
 
-bool filled(const NetworkAnswer& network, std::size_t i) { return network.filled[i] >= 1; }
+bool filled(const NetworkAnswer& network, std::size_t i) {
+  return network.filled[i] >= 1;
+}
 
 }  // namespace
 
@@ -21,6 +23,8 @@ StructureEstimate robin_estimate(const StructureResponse& structure, const std::
   estimate.aperture_rate.assign(structure.aperture.size(), 0);
   estimate.compliance = compliance;
   estimate.closed = structure.closed;
+  estimate.arm_aperture_a = structure.arm_aperture_a;
+  estimate.arm_aperture_b = structure.arm_aperture_b;
   for (std::size_t i = 0; i < structure.aperture.size(); ++i)
     estimate.reference_pressure.push_back(
         structure.closed[i] > 0 ? std::max(structure.pressure_applied[i], structure.pressure_opening[i])
@@ -28,7 +32,8 @@ StructureEstimate robin_estimate(const StructureResponse& structure, const std::
   return estimate;
 }
 
-StructureEstimate profit_estimate(const StructureResponse& structure, const std::vector<double>& last_pressure,
+StructureEstimate profit_estimate(const StructureResponse& structure,
+                                  const std::vector<double>& last_pressure,
                                   const std::vector<double>& last_rate, double fracture_normal_stiffness) {
   StructureEstimate estimate;
   estimate.aperture = structure.aperture;
@@ -36,6 +41,8 @@ StructureEstimate profit_estimate(const StructureResponse& structure, const std:
   estimate.reference_pressure = last_pressure;
   estimate.compliance.assign(structure.aperture.size(), normal_compliance(fracture_normal_stiffness));
   estimate.closed.assign(structure.aperture.size(), 0);
+  estimate.arm_aperture_a = structure.arm_aperture_a;
+  estimate.arm_aperture_b = structure.arm_aperture_b;
   estimate.carry = "pressure";
   return estimate;
 }
@@ -58,15 +65,16 @@ std::vector<PressureRamp> profit_ramps(const StructureResponse& structure, const
   std::vector<PressureRamp> ramps;
   for (std::size_t i = 0; i < structure.aperture.size(); ++i) {
     const double aperture = structure.aperture[i];
-    const double storage =
-        normal_compliance(fracture_normal_stiffness) + std::max(aperture, minimum_aperture) / fluid_bulk_modulus;
+    const double storage = normal_compliance(fracture_normal_stiffness) +
+                           std::max(aperture, minimum_aperture) / fluid_bulk_modulus;
     ramps.push_back({structure.pressure_applied[i], network.pressure[i], aperture, aperture,
                      filled(network, i) ? 1 / storage : 0});
   }
   return ramps;
 }
 
-Message advance_network(const CouplingInterval& interval, std::uint64_t revision, const StructureEstimate& estimate) {
+Message advance_network(const CouplingInterval& interval, std::uint64_t revision,
+                        const StructureEstimate& estimate) {
   Message command(MessageType::advance);
   command.interval = interval.index;
   command.revision = revision;
@@ -76,6 +84,10 @@ Message advance_network(const CouplingInterval& interval, std::uint64_t revision
   command.add("reference_pressure", "Pa", estimate.reference_pressure);
   command.add("compliance", "m/Pa", estimate.compliance);
   command.add("closed", "1", estimate.closed);
+  if (!estimate.arm_aperture_a.empty()) {
+    command.add("arm_aperture_a", "m", estimate.arm_aperture_a);
+    command.add("arm_aperture_b", "m", estimate.arm_aperture_b);
+  }
   return command;
 }
 

@@ -29,16 +29,29 @@ std::vector<double> numbers_in(const Message& message, const char* field, const 
   for (std::size_t i = 0; i < values.size(); ++i)
     if (values[i] < range.minimum || values[i] > range.maximum) {
       const NetworkNode& node = network.nodes()[i];
-      throw ValueError(fmt::format("{} of node {} at ({:g}, {:g}) m is {:g}, allowed is [{:g}, {:g}]", field, node.id,
-                                   node.x, node.y, values[i], range.minimum, range.maximum));
+      throw ValueError(fmt::format("{} of node {} at ({:g}, {:g}) m is {:g}, allowed is [{:g}, {:g}]", field,
+                                   node.id, node.x, node.y, values[i], range.minimum, range.maximum));
+    }
+  return values;
+}
+
+std::vector<double> arm_apertures_in(const Message& message, const char* field,
+                                     const FractureNetwork& network) {
+  std::vector<double> values = message.numbers(field, network.segments().size());
+  for (std::size_t s = 0; s < values.size(); ++s)
+    if (values[s] < possible_aperture.minimum || values[s] > possible_aperture.maximum) {
+      const NetworkSegment& segment = network.segments()[s];
+      throw ValueError(fmt::format(
+          "{} of segment {} between nodes {} and {} is {:g}, allowed is [{:g}, {:g}]", field, segment.id,
+          segment.node_a, segment.node_b, values[s], possible_aperture.minimum, possible_aperture.maximum));
     }
   return values;
 }
 
 void require_revision(const Message& message, const FractureNetwork& network) {
   if (message.revision != network.revision())
-    throw ProtocolError(fmt::format("{} is made for topology revision {}, the network has {}", name(message.type),
-                                    message.revision, network.revision()));
+    throw ProtocolError(fmt::format("{} is made for topology revision {}, the network has {}",
+                                    name(message.type), message.revision, network.revision()));
 }
 
 template <typename T>
@@ -83,7 +96,8 @@ double relative_residual(const Ledger& ledger) {
   return largest > 0 ? std::abs(ledger.residual) / largest : 0;
 }
 
-StructureResponse read_response(const Message& message, const FractureNetwork& network, const PressureRange& range) {
+StructureResponse read_response(const Message& message, const FractureNetwork& network,
+                                const PressureRange& range) {
   if (message.type != MessageType::topology) require_revision(message, network);
   const Range pressure{range.minimum, range.maximum};
   StructureResponse response;
@@ -93,6 +107,10 @@ StructureResponse read_response(const Message& message, const FractureNetwork& n
   response.pressure_opening = message.numbers("pressure_opening", network.nodes().size());
   response.closed = numbers_in(message, "closed", network, flag);
   response.broken = numbers_in(message, "broken", network, flag);
+  if (message.has("arm_aperture_a") || message.has("arm_aperture_b")) {
+    response.arm_aperture_a = arm_apertures_in(message, "arm_aperture_a", network);
+    response.arm_aperture_b = arm_apertures_in(message, "arm_aperture_b", network);
+  }
   response.stable_step = message.value<double>("stable_step");
   response.mass_scale = message.value<double>("mass_scale");
   if (!(response.stable_step > 0) || !(response.mass_scale >= 1))
@@ -132,7 +150,8 @@ std::vector<Meeting> read_meetings(const Message& acknowledgement) {
   return meetings;
 }
 
-NetworkAnswer read_pressure(const Message& message, const FractureNetwork& network, const PressureRange& range) {
+NetworkAnswer read_pressure(const Message& message, const FractureNetwork& network,
+                            const PressureRange& range) {
   require_revision(message, network);
   NetworkAnswer answer;
   answer.pressure = numbers_in(message, "pressure", network, {range.minimum, range.maximum});
@@ -144,7 +163,8 @@ NetworkAnswer read_pressure(const Message& message, const FractureNetwork& netwo
   const auto newton = message.value<nlohmann::json>("newton");
   answer.newton_iterations = entry<int>(newton, "iterations");
   answer.halvings = entry<int>(newton, "halvings");
-  if (!entry<bool>(newton, "converged")) throw SolverError("the network sent pressures that have not converged");
+  if (!entry<bool>(newton, "converged"))
+    throw SolverError("the network sent pressures that have not converged");
   return answer;
 }
 

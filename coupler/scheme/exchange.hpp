@@ -13,7 +13,8 @@
 #include "coupler/record/probes.hpp"
 #include "coupler/record/remesh_ledger.hpp"
 
-/// From messages to values, with every check that physics allows. Arrays have one value per node of the network.
+/// From messages to values, with every check that physics allows. Arrays have one value per node of the
+/// network.
 namespace fissura::coupler {
 
 /// RESPONSE, or the same arrays of TOPOLOGY and ACKNOWLEDGE.
@@ -23,15 +24,17 @@ struct StructureResponse {
   std::vector<double> pressure_applied;  ///< [Pa]
   std::vector<double> pressure_opening;  ///< [Pa]
   std::vector<double> closed, broken;    ///< 0 or 1
-  double stable_step = 0;                ///< [s]
+  /// Of each segment's own arm at its two ends [m]; empty from a structure that does not tell.
+  std::vector<double> arm_aperture_a, arm_aperture_b;
+  double stable_step = 0;  ///< [s]
   double mass_scale = 1;
-  int steps = 0;                         ///< RESPONSE only, like the rest
-  double kinetic_energy = 0;                     ///< [J]
-  std::optional<double> strain_energy;           ///< [J], if it was asked for
-  double cohesive_work = 0, failure_work = 0;    ///< so far [J]; 0 from a structure that does not tell
-  std::uint64_t elements = 0;                    ///< of the mesh; the same
-  NaturalFractureFigures natural_fractures;      ///< the same
-  std::vector<ProbeValues> probes;               ///< in the order of the case; empty from a structure that does not tell
+  int steps = 0;                               ///< RESPONSE only, like the rest
+  double kinetic_energy = 0;                   ///< [J]
+  std::optional<double> strain_energy;         ///< [J], if it was asked for
+  double cohesive_work = 0, failure_work = 0;  ///< so far [J]; 0 from a structure that does not tell
+  std::uint64_t elements = 0;                  ///< of the mesh; the same
+  NaturalFractureFigures natural_fractures;    ///< the same
+  std::vector<ProbeValues> probes;  ///< in the order of the case; empty from a structure that does not tell
   std::optional<Insertion> proposal;
 };
 
@@ -47,14 +50,17 @@ struct NetworkAnswer {
   int halvings = 0;
 };
 
-/// Throws ProtocolError for missing or misshaped data, ValueError naming field, node, coordinates and value for what physics
-/// forbids: a negative aperture, a pressure outside the range of the case, a filled fraction outside [0, 1].
-StructureResponse read_response(const Message& message, const FractureNetwork& network, const PressureRange& range);
+/// Throws ProtocolError for missing or misshaped data, ValueError naming field, node, coordinates and value
+/// for what physics forbids: a negative aperture, a pressure outside the range of the case, a filled fraction
+/// outside [0, 1].
+StructureResponse read_response(const Message& message, const FractureNetwork& network,
+                                const PressureRange& range);
 /// What the insertion did to the mesh; empty from a structure that does not tell. Throws ProtocolError.
 std::vector<Remeshing> read_remeshing(const Message& acknowledgement);
 /// The meetings of the insertion, each with its decision; empty without any. Throws ProtocolError.
 std::vector<Meeting> read_meetings(const Message& acknowledgement);
-NetworkAnswer read_pressure(const Message& message, const FractureNetwork& network, const PressureRange& range);
+NetworkAnswer read_pressure(const Message& message, const FractureNetwork& network,
+                            const PressureRange& range);
 
 /// |residual| over the largest volume in the book.
 double relative_residual(const Ledger& ledger);

@@ -40,7 +40,8 @@ double edge_at_the_tips(const Case& run_case) {
 
 }  // namespace
 
-StaggeredScheme::StaggeredScheme(const Case& run_case, double end, Trio& trio, RunRecord& record, StatusPage& status)
+StaggeredScheme::StaggeredScheme(const Case& run_case, double end, Trio& trio, RunRecord& record,
+                                 StatusPage& status)
     : case_(run_case),
       trio_(trio),
       record_(record),
@@ -56,13 +57,14 @@ SchemeOutcome StaggeredScheme::run() {
   begin();
   while (!clock_.finished() && status_.stop_signal() == 0) {
     const CouplingInterval interval = next_interval();
-    const NetworkAnswer answer = advance_network_over(interval);            // the network leads (Sect. 3.1)
-    StructureResponse response = advance_structure_over(interval, answer);  // the structure follows (Sect. 3.6)
+    const NetworkAnswer answer = advance_network_over(interval);  // the network leads (Sect. 3.1)
+    StructureResponse response =
+        advance_structure_over(interval, answer);  // the structure follows (Sect. 3.6)
     check_ledger(answer);
     record_interval(interval, answer, response);
     accept(interval, answer, std::move(response));
     if (report_is_due(interval.end)) report(answer);
-    if (structure_.proposal) insert(*structure_.proposal);                  // the fracture grows (Sect. 3.8)
+    if (structure_.proposal) insert(*structure_.proposal);  // the fracture grows (Sect. 3.8)
   }
   return {clock_.finished() ? 0 : status_.stop_signal(), insertions_};
 }
@@ -120,8 +122,9 @@ StructureResponse StaggeredScheme::advance_structure_over(const CouplingInterval
 
 void StaggeredScheme::check_ledger(const NetworkAnswer& answer) const {
   if (answer.ledger.relative_residual > largest_relative_residual)
-    throw SolverError(fmt::format("the network lost fluid: its ledger has a relative residual of {:.3g}, allowed is {:.0e}",
-                                  answer.ledger.relative_residual, largest_relative_residual));
+    throw SolverError(
+        fmt::format("the network lost fluid: its ledger has a relative residual of {:.3g}, allowed is {:.0e}",
+                    answer.ledger.relative_residual, largest_relative_residual));
 }
 
 void StaggeredScheme::record_interval(const CouplingInterval& interval, const NetworkAnswer& answer,
@@ -164,17 +167,22 @@ void StaggeredScheme::insert(const Insertion& insertion) {
     const Message acknowledgement = trio_.await(role, MessageType::acknowledge);
     const auto found = acknowledgement.value<std::string>("hash");
     if (found != expected)
-      throw ParticipantFailure(ExitCode::protocol_violation, role,
-                               fmt::format("{} has another fracture network after revision {} (hash {:.8}..., expected {:.8}...)",
-                                           name(role), network_.revision(), found, expected));
+      throw ParticipantFailure(
+          ExitCode::protocol_violation, role,
+          fmt::format("{} has another fracture network after revision {} (hash {:.8}..., expected {:.8}...)",
+                      name(role), network_.revision(), found, expected));
     if (role != Role::structure) continue;
     structure_ = read_response(acknowledgement, network_, case_.pressure_range);
     record_.remeshing(network_, read_remeshing(acknowledgement));
     record_.meetings(network_, read_meetings(acknowledgement));
   }
-  compliance_ = interface_compliance(network_, case_.rock.plane_strain_modulus(), case_.coupling.compliance_factor);
+  compliance_ =
+      interface_compliance(network_, case_.rock.plane_strain_modulus(), case_.coupling.compliance_factor);
   path_ = fracture_path(network_, case_);
-  network_pressure_.resize(network_.nodes().size(), 0);
+  for (std::size_t i = network_pressure_.size(); i < network_.nodes().size(); ++i) {
+    const NetworkNode& node = network_.nodes()[i];
+    network_pressure_.push_back(node.saturated ? node.formation_pressure : 0);
+  }
   average_rate_.resize(network_.nodes().size(), 0);
   if (network_.revision() > 0) ++insertions_;
   record_.topology(network_);

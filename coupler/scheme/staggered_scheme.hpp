@@ -20,8 +20,8 @@ namespace fissura::coupler {
 
 /// How a run of the scheme ended.
 struct SchemeOutcome {
-  int stop_signal = 0;            ///< of the user, 0 if the run reached its end
-  std::uint64_t insertions = 0;   ///< changes of the topology after revision 0
+  int stop_signal = 0;           ///< of the user, 0 if the run reached its end
+  std::uint64_t insertions = 0;  ///< changes of the topology after revision 0
 };
 
 /// The network leads, the structure follows: THE LOOP of the coupler.
@@ -30,8 +30,8 @@ class StaggeredScheme {
   /// Runs to `end` [s]. All references must outlive this. The trio has been started.
   StaggeredScheme(const Case& run_case, double end, Trio& trio, RunRecord& record, StatusPage& status);
 
-  /// Runs to the end of the case. Throws ParticipantFailure or another Error at the first fault, with the record written up to the last
-  /// complete interval.
+  /// Runs to the end of the case. Throws ParticipantFailure or another Error at the first fault, with the
+  /// record written up to the last complete interval.
   SchemeOutcome run();
 
  private:
@@ -55,17 +55,17 @@ class StaggeredScheme {
   CouplingClock clock_;
   IntervalControl interval_control_;
   ProgressLine progress_;
-  std::vector<double> events_;           ///< times at which the pumping changes, ascending [s]
-  double fluid_bulk_modulus_;            ///< least of the fluids [Pa]
+  std::vector<double> events_;  ///< times at which the pumping changes, ascending [s]
+  double fluid_bulk_modulus_;   ///< least of the fluids [Pa]
 
   FractureNetwork network_;
-  FracturePath path_;                    ///< at this revision
-  std::vector<double> compliance_;       ///< C_R of each node at this revision [m/Pa]
-  StructureResponse structure_;          ///< at the last coupling time
-  std::vector<double> network_pressure_; ///< of the last interval [Pa]; profit2016 carries it
-  std::vector<double> average_rate_;     ///< of the aperture in the last interval [m/s]; profit2016
+  FracturePath path_;                     ///< at this revision
+  std::vector<double> compliance_;        ///< C_R of each node at this revision [m/Pa]
+  StructureResponse structure_;           ///< at the last coupling time
+  std::vector<double> network_pressure_;  ///< of the last interval [Pa]; profit2016 carries it
+  std::vector<double> average_rate_;      ///< of the aperture in the last interval [m/s]; profit2016
   std::optional<Inlet> inlet_;
-  double strain_energy_ = 0;             ///< at the last report [J]
+  double strain_energy_ = 0;  ///< at the last report [J]
   std::uint64_t reports_ = 0;
   std::uint64_t insertions_ = 0;
 };

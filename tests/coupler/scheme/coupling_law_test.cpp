@@ -98,3 +98,18 @@ TEST_CASE("profit2016 stiffens with 1 / (1/K_n + e/K_f), about the aperture at t
   CHECK(ramps[2].stiffness == Approx(1 / (1e-10 + 1e-5 / 2e9)).epsilon(1e-14));
   CHECK(ramps[0].reference_aperture(1) == 2e-3);
 }
+
+TEST_CASE("the network learns the aperture of each arm as the structure measured it, if the structure tells",
+          "[coupler][scheme]") {
+  StructureResponse structure = some_structure();
+  const CouplingInterval interval{1, 0, 0.1};
+  CHECK_FALSE(advance_network(interval, 0, robin_estimate(structure, compliance)).has("arm_aperture_a"));
+  structure.arm_aperture_a = {2e-3, 1e-3};
+  structure.arm_aperture_b = {1e-3, 5e-5};
+  for (const StructureEstimate& estimate :
+       {robin_estimate(structure, compliance), profit_estimate(structure, {0, 0, 0}, {0, 0, 0}, 1e10)}) {
+    const Message command = advance_network(interval, 0, estimate);
+    CHECK(command.numbers("arm_aperture_a") == structure.arm_aperture_a);
+    CHECK(command.numbers("arm_aperture_b") == structure.arm_aperture_b);
+  }
+}

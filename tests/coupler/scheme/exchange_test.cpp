@@ -231,3 +231,28 @@ TEST_CASE("commands carry five arrays each way of the interface, one value per n
   CHECK(to_structure.value<double>("end") == 1.5);
   CHECK(to_structure.value<bool>("strain_energy"));
 }
+
+TEST_CASE("apertures of the arms are read one per segment, and only both together", "[coupler][scheme]") {
+  const FractureNetwork network = chain_network(3, 1, 0);
+  Arrays arrays = response_arrays();
+  CHECK(read_response(response_of(arrays), network, range).arm_aperture_a.empty());
+  arrays.push_back({"arm_aperture_a", {1e-3, 5e-5}});
+  CHECK_THROWS_AS(read_response(response_of(arrays), network, range), ProtocolError);
+  arrays.push_back({"arm_aperture_b", {5e-5, 0}});
+  const StructureResponse response = read_response(response_of(arrays), network, range);
+  CHECK(response.arm_aperture_a == std::vector<double>{1e-3, 5e-5});
+  CHECK(response.arm_aperture_b == std::vector<double>{5e-5, 0});
+  CHECK_THROWS_WITH(read_response(response_of(spoilt(arrays, "arm_aperture_b", 1, -1e-6)), network, range),
+                    Catch::StartsWith("arm_aperture_b of segment"));
+  arrays.back().second.push_back(0);
+  CHECK_THROWS_AS(read_response(response_of(arrays), network, range), ProtocolError);
+}
+
+TEST_CASE("fluid found in natural fractures balances the ledger", "[coupler][scheme]") {
+  Message message = pressure_of(pressure_arrays());
+  message.body["ledger"]["found"] = 2.0;
+  message.body["ledger"]["in_fractures"] = 6.0;
+  const Ledger ledger = read_pressure(message, chain_network(3, 1, 0), range).ledger;
+  CHECK(ledger.found == 2);
+  CHECK(ledger.residual == 0);
+}
