@@ -39,7 +39,7 @@ StructureRun::StructureRun(const StructureModel& model, const Geometry& geometry
     : model_(model),
       geometry_(geometry),
       dynamics_(dynamics_of(model, geometry)),
-      joints_(geometry.mesh, geometry.joint_nodes) {}
+      joints_(geometry.mesh, geometry.joint_nodes, model.threads) {}
 
 std::uint64_t StructureRun::advance(double begin, double end, StructureState& state) {
   const auto steps =
@@ -54,8 +54,7 @@ std::uint64_t StructureRun::advance(double begin, double end, StructureState& st
     const Clock::time_point start = Clock::now();
     dynamics_.advance(state.body, step);  // Sect. 3.6, Eq. 8
     const Clock::time_point middle = Clock::now();
-    joints_.advance(geometry_.mesh, joint_nodes, {step.size, step.mass_scale, step.damping, tau},
-                    state.joints);  // Eqs. 11, 18-22
+    joints_.advance(joint_nodes, {step.size, step.mass_scale, step.damping, tau}, state.joints);  // Eqs. 11, 18-22
     loop_times_.elements += seconds_between(start, middle);
     loop_times_.joints += seconds_between(middle, Clock::now());
     note_progress("explicit steps");

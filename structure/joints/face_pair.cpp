@@ -12,7 +12,8 @@ double damped(double force, double velocity, double lambda) {
   return force - lambda * std::abs(force) * (velocity > 0 ? 1.0 : -1.0);
 }
 
-void resist(const FacePair& pair, Vector direction, double stiffness, double step, std::span<double> velocity) {
+void resist(const FacePair& pair, Vector direction, double stiffness, double step,
+            std::span<double> velocity) {
   if (stiffness == 0) return;
   const double v = relative_velocity(pair, direction, velocity);
   const double ratio = stiffness * pair.length * step * step / pair.reduced_mass();
@@ -25,12 +26,10 @@ Vector damped(Vector force, Vector velocity, double lambda) {
   return {damped(force.x, velocity.x, lambda), damped(force.y, velocity.y, lambda)};
 }
 
-FacePair face_pair(const ContactUnit& unit, std::span<const double> mass, double mass_scale) {
+FacePair face_pair(const ContactUnit& unit) {
   FacePair pair;
   pair.minus = unit.minus;
   pair.plus = unit.plus;
-  pair.mass_minus = mass_scale * mass[unit.minus];
-  pair.mass_plus = mass_scale * mass[unit.plus];
   pair.length = std::hypot(unit.face[0], unit.face[1]);
   pair.flatness = pair.length / unit.length;
   pair.normal = (1 / pair.length) * Vector{unit.face[0], unit.face[1]};
@@ -38,17 +37,39 @@ FacePair face_pair(const ContactUnit& unit, std::span<const double> mass, double
   return pair;
 }
 
-double aperture(const JointProperties& properties, const JointState& state) {
-  return std::max(state.opening, 0.0) + properties.stored_aperture;
+FacePair face_pair(const ContactUnit& unit, std::span<const double> mass, double mass_scale) {
+  FacePair pair = face_pair(unit);
+  set_masses(mass, mass_scale, pair);
+  return pair;
 }
 
-void load_by_fluid(const PressureRamp& ramp, double tau, const JointProperties& properties, const JointState& state,
-                   FacePair& pair) {
+void set_masses(std::span<const double> mass, double mass_scale, FacePair& pair) {
+  pair.mass_minus = mass_scale * mass[pair.minus];
+  pair.mass_plus = mass_scale * mass[pair.plus];
+}
+
+double dilation_rise(const JointProperties& properties, const JointState& state, double sliding_velocity,
+                     double step) {
+  if (properties.dilation == 0) return 0;
+  const double due = properties.dilation * std::min(state.slip, properties.dilation_slip) - state.dilation;
+  return std::clamp(due, 0.0, properties.dilation * std::abs(sliding_velocity) * step);
+}
+
+double aperture(const JointProperties& properties, const JointState& state) {
+  double residual = properties.residual_aperture;
+  if (residual > 0 && properties.cohesive.strength > 0)
+    residual *= 1 - properties.cohesive.envelope(state.greatest_separation) / properties.cohesive.strength;
+  return std::max(state.opening, 0.0) + properties.stored_aperture + residual;
+}
+
+void load_by_fluid(const PressureRamp& ramp, double tau, const JointProperties& properties,
+                   const JointState& state, FacePair& pair) {
   pair.pressure = ramp.applied(tau, aperture(properties, state));
   if (pair.pressure > 0) pair.normal_stiffness += ramp.stiffness;
 }
 
-CohesiveTraction pull_by_cohesion(const JointProperties& properties, const JointState& state, FacePair& pair) {
+CohesiveTraction pull_by_cohesion(const JointProperties& properties, const JointState& state,
+                                  FacePair& pair) {
   const double q = state.greatest_separation, opening = std::max(state.opening, 0.0);
   const CohesiveTraction pull = cohesion(properties.cohesive, opening, state.sliding, q);
   const double envelope = properties.cohesive.envelope(q);
@@ -61,7 +82,8 @@ double holding_cohesion(const JointProperties& properties, const JointState& sta
   return cohesion(properties.cohesive, std::max(state.opening, 0.0), 0, state.greatest_separation).normal;
 }
 
-double greatest_shear_traction(const JointProperties& properties, const JointState& state, double contact_pressure) {
+double greatest_shear_traction(const JointProperties& properties, const JointState& state,
+                               double contact_pressure) {
   return properties.friction_cohesion + properties.cohesive.envelope(state.greatest_separation) +
          properties.friction_coefficient * std::max(contact_pressure, 0.0);
 }
@@ -70,7 +92,8 @@ double relative_velocity(const FacePair& pair, Vector direction, std::span<const
   return dot(at(velocity, pair.plus) - at(velocity, pair.minus), direction);
 }
 
-void change_relative_velocity(const FacePair& pair, Vector direction, double change, std::span<double> velocity) {
+void change_relative_velocity(const FacePair& pair, Vector direction, double change,
+                              std::span<double> velocity) {
   const double impulse = pair.reduced_mass() * change;
   set(velocity, pair.plus, at(velocity, pair.plus) + (impulse / pair.mass_plus) * direction);
   set(velocity, pair.minus, at(velocity, pair.minus) - (impulse / pair.mass_minus) * direction);
@@ -81,10 +104,24 @@ void resist_implicitly(const FacePair& pair, double step, std::span<double> velo
   resist(pair, pair.tangent, pair.tangential_stiffness, step, velocity);
 }
 
-void forbid_overlap(const FacePair& pair, double opening, double step, std::span<double> velocity) {
+void forbid_overlap(const FacePair& pair, double gap, double step, std::span<double> velocity) {
   const double v = relative_velocity(pair, pair.normal, velocity);
-  const double least = -std::max(opening, 0.0) / step;
+  const double least = -std::max(gap, 0.0) / step;
   if (v < least) change_relative_velocity(pair, pair.normal, least - v, velocity);
+}
+
+void observe(const FacePair& pair, const PressureRamp& ramp, double tau, const JointProperties& properties,
+             std::span<const double> displacement, std::span<const double> velocity, JointState& state) {
+  const Vector jump = at(displacement, pair.plus) - at(displacement, pair.minus);
+  const double sliding = dot(jump, pair.tangent) - state.sliding_at_rest;
+  if (state.closed) state.slip += std::abs(sliding - state.sliding);
+  state.opening = pair.flatness * dot(jump, pair.normal);
+  state.sliding = sliding;
+  state.opening_rate = pair.flatness * relative_velocity(pair, pair.normal, velocity);
+  const double opening = std::max(state.opening, 0.0);
+  state.greatest_separation =
+      std::max(state.greatest_separation, std::sqrt(opening * opening + sliding * sliding));
+  state.pressure = ramp.applied(tau, aperture(properties, state));
 }
 
 }  // namespace fissura::structure

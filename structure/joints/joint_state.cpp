@@ -12,6 +12,9 @@ JointProperties joint_properties(const Mesh& mesh, UnitIndex index, const Rock& 
   properties.kind = line.kind;
   properties.friction_coefficient = line.friction_coefficient;
   properties.friction_cohesion = line.cohesion;
+  properties.residual_aperture = line.residual_aperture;
+  properties.dilation = std::tan(line.dilation_angle);
+  properties.dilation_slip = line.dilation_slip;
   if (line.kind != FractureKind::open && line.tensile_strength > 0)
     properties.cohesive = {
         tip_strength(line.tensile_strength, line.fracture_energy, rock.plane_strain_modulus(), unit.length),

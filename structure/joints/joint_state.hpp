@@ -18,19 +18,24 @@ struct JointProperties {
   double friction_coefficient = 0;  ///< tan(phi) [-]
   double friction_cohesion = 0;     ///< c of the friction law [Pa]
   double stored_aperture = 0;       ///< hydraulic aperture e_0 of a perforation [m]
+  double residual_aperture = 0;     ///< hydraulic aperture of touching faces whose cement, if any, is broken [m]
+  double dilation = 0;              ///< tan(psi) of touching faces that slide [-]
+  double dilation_slip = 0;         ///< accumulated slip beyond which they dilate no more [m]
   FractureKind kind = FractureKind::open;
 };
 
 /// What changes of a contact unit in every step.
 struct JointState {
   double opening = 0;              ///< signed gap e [m]
-  double sliding = 0;              ///< of plus relative to minus along (face_y, -face_x) / length [m]
+  double sliding = 0;              ///< signed slip, of plus against minus along (face_y, -face_x) / length [m]
+  double sliding_at_rest = 0;      ///< what came before the slip that counts: the displacements hold it as well [m]
   double opening_rate = 0;         ///< [m/s]
   double greatest_separation = 0;  ///< q, history [m]
   double pressure = 0;             ///< fluid pressure applied in the last step [Pa]
   double held_normal = 0;          ///< T_n, tension positive, of the last step [Pa]
   double held_tangential = 0;      ///< T_s of the last step [Pa]
   double slip = 0;                 ///< accumulated |sliding| of closed faces [m]
+  double dilation = 0;             ///< opening at which the faces touch [m]
   bool closed = true;
 };
 

@@ -4,104 +4,139 @@
 #include <algorithm>
 #include <cmath>
 
-#include "structure/joints/face_pair.hpp"
-
 namespace fissura::structure {
 
 namespace {
 
+constexpr std::size_t units_ahead = 6;     // for which the memory is asked early
+constexpr std::size_t least_units = 1000;  // below it a second thread costs more than it saves
+
 /// Velocity of sliding after the step of two touching faces under friction [m/s].
-double sliding_velocity(const FacePair& pair, double held_force, double velocity, double greatest_force, double step) {
+double sliding_velocity(const FacePair& pair, double held_force, double velocity, double greatest_force,
+                        double step) {
   const double to_stick = held_force + pair.reduced_mass() * velocity / step;
   if (std::abs(to_stick) <= greatest_force) return 0;
   return velocity + step / pair.reduced_mass() * (held_force - std::copysign(greatest_force, to_stick));
 }
 
-/// Opening, sliding and pressure at the end of the step.
-void observe(const FacePair& pair, const JointNodes& nodes, const JointProperties& properties, const PressureRamp& ramp,
-             double tau, JointState& state) {
-  const Vector jump = at(nodes.displacement, pair.plus) - at(nodes.displacement, pair.minus);
-  const double sliding = dot(jump, pair.tangent);
-  if (state.closed) state.slip += std::abs(sliding - state.sliding);
-  state.opening = pair.flatness * dot(jump, pair.normal);
-  state.sliding = sliding;
-  state.opening_rate = pair.flatness * relative_velocity(pair, pair.normal, nodes.velocity);
-  state.greatest_separation = std::max(state.greatest_separation, std::hypot(std::max(state.opening, 0.0), sliding));
-  state.pressure = ramp.applied(tau, aperture(properties, state));
+/// Velocities after the step of faces that touch.
+void move_together(const FacePair& pair, Vector force, const JointStepControls& controls,
+                   std::span<double> velocity) {
+  const double total_mass = pair.mass_minus + pair.mass_plus;
+  const Vector together = (1 / total_mass) * (pair.mass_minus * at(velocity, pair.minus) +
+                                              pair.mass_plus * at(velocity, pair.plus));
+  const Vector common = together + (controls.step / total_mass) * damped(force, together, controls.damping);
+  set(velocity, pair.minus, common);
+  set(velocity, pair.plus, common);
 }
 
-std::vector<NodePlaces> places_of(const Mesh& mesh, std::span<const NodeIndex> joint_nodes) {
-  std::vector<std::uint32_t> place_of(mesh.position.size(), 0);
-  for (std::uint32_t k = 0; k < joint_nodes.size(); ++k) place_of[joint_nodes[k]] = k;
-  std::vector<NodePlaces> places;
-  for (const ContactUnit& unit : mesh.units) places.push_back({place_of[unit.minus], place_of[unit.plus]});
-  return places;
+/// And of faces that are apart. @param on_plus  fluid pressure and cohesion [N/m]
+void move_apart(const FacePair& pair, Vector force_minus, Vector force_plus, Vector on_plus,
+                const JointStepControls& controls, std::span<double> velocity) {
+  const Vector minus = at(velocity, pair.minus), plus = at(velocity, pair.plus);
+  set(velocity, pair.minus,
+      minus + (controls.step / pair.mass_minus) * damped(force_minus - on_plus, minus, controls.damping));
+  set(velocity, pair.plus,
+      plus + (controls.step / pair.mass_plus) * damped(force_plus + on_plus, plus, controls.damping));
+}
+
+[[gnu::always_inline]] inline void fetch(const double* values, std::size_t node) {
+  __builtin_prefetch(values + 2 * node);
 }
 
 }  // namespace
 
-JointStep::JointStep(const Mesh& mesh, std::span<const NodeIndex> joint_nodes) : place_(places_of(mesh, joint_nodes)) {
-  std::vector<std::uint32_t> uses(mesh.position.size(), 0);
+JointStep::JointStep(const Mesh& mesh, std::span<const NodeIndex> joint_nodes, int threads)
+    : threads_(threads) {
+  std::vector<std::uint32_t> place_of(mesh.position.size(), 0), uses(mesh.position.size(), 0);
+  for (std::uint32_t k = 0; k < joint_nodes.size(); ++k) place_of[joint_nodes[k]] = k;
   for (const ContactUnit& unit : mesh.units) {
     ++uses[unit.minus];
     ++uses[unit.plus];
   }
-  std::vector<UnitIndex> sharing;
+  std::vector<SharingUnit> sharing;
   for (UnitIndex k = 0; k < mesh.units.size(); ++k) {
-    const bool alone = uses[mesh.units[k].minus] == 1 && uses[mesh.units[k].plus] == 1;
-    (alone ? ordinary_ : sharing).push_back(k);
+    const ContactUnit& unit = mesh.units[k];
+    const NodePlaces place{place_of[unit.minus], place_of[unit.plus]};
+    const bool alone = uses[unit.minus] == 1 && uses[unit.plus] == 1;
+    if (alone)
+      ordinary_.push_back({k, place, face_pair(unit)});
+    else
+      sharing.push_back({k, place, face_pair(unit)});
   }
-  junctions_ = JunctionStep(std::move(sharing), place_);
+  junctions_ = JunctionStep(std::move(sharing));
 }
 
-void JointStep::advance(const Mesh& mesh, const JointNodes& nodes, const JointStepControls& controls, Joints& joints) {
-  for (const UnitIndex unit : ordinary_) advance_ordinary(mesh, nodes, controls, unit, joints);
-  junctions_.advance_velocities(mesh, nodes, controls, joints);
-  for (const NodeIndex node : nodes.index)
-    set(nodes.displacement, node, at(nodes.displacement, node) + controls.step * at(nodes.velocity, node));
-  for (UnitIndex unit = 0; unit < mesh.units.size(); ++unit)
-    if (joints.released[unit])
-      observe(face_pair(mesh.units[unit], nodes.mass, controls.mass_scale), nodes, joints.properties[unit],
-              joints.ramp[unit], controls.tau, joints.state[unit]);
+inline void JointStep::fetch(const Ordinary& entry, const JointNodes& nodes) {
+  structure::fetch(nodes.force.data(), entry.place.minus);
+  structure::fetch(nodes.force.data(), entry.place.plus);
+  for (const NodeIndex node : {entry.pair.minus, entry.pair.plus}) {
+    __builtin_prefetch(nodes.mass.data() + node);
+    structure::fetch(nodes.displacement.data(), node);
+    structure::fetch(nodes.velocity.data(), node);
+  }
 }
 
-void JointStep::advance_ordinary(const Mesh& mesh, const JointNodes& nodes, const JointStepControls& controls,
-                                 UnitIndex unit, Joints& joints) const {
+void JointStep::advance(const JointNodes& nodes, const JointStepControls& controls, Joints& joints) {
+  const bool parallel = threads_ > 1 && ordinary_.size() >= least_units;
+  junctions_.prepare(nodes.index.size());
+#pragma omp parallel num_threads(threads_) if (parallel)
+  {
+#pragma omp for schedule(static) nowait
+    for (std::size_t k = 0; k < ordinary_.size(); ++k) {
+      if (k + units_ahead < ordinary_.size()) fetch(ordinary_[k + units_ahead], nodes);
+      advance_ordinary(ordinary_[k], nodes, controls, joints);
+    }
+#pragma omp for schedule(dynamic, 16)
+    for (std::size_t k = 0; k < junctions_.size(); ++k) junctions_.advance(k, nodes, controls, joints);
+  }
+}
+
+void JointStep::advance_ordinary(const Ordinary& entry, const JointNodes& nodes,
+                                 const JointStepControls& controls, Joints& joints) {
+  const UnitIndex unit = entry.unit;
   const JointProperties& properties = joints.properties[unit];
   const bool released = joints.released[unit] != 0;
   JointState& state = joints.state[unit];
-  FacePair pair = face_pair(mesh.units[unit], nodes.mass, controls.mass_scale);
-  const Vector force_minus = at(nodes.force, place_[unit].minus), force_plus = at(nodes.force, place_[unit].plus);
+  FacePair pair = entry.pair;
+  set_masses(nodes.mass, controls.mass_scale, pair);
+  const Vector force_minus = at(nodes.force, entry.place.minus),
+               force_plus = at(nodes.force, entry.place.plus);
   const double total_mass = pair.mass_minus + pair.mass_plus, step = controls.step;
   const Vector held =
       (1 / (total_mass * pair.length)) * (pair.mass_minus * force_plus - pair.mass_plus * force_minus);
   state.held_normal = dot(held, pair.normal);
   state.held_tangential = dot(held, pair.tangent);
   if (released) load_by_fluid(joints.ramp[unit], controls.tau, properties, state, pair);
-  state.closed = !released || (state.opening <= contact_tolerance &&
+  state.closed = !released || (touching(state) &&
                                pair.pressure <= holding_cohesion(properties, state) - state.held_normal);
 
-  const Vector before_minus = at(nodes.velocity, pair.minus), before_plus = at(nodes.velocity, pair.plus);
   if (state.closed) {
-    const Vector together = (1 / total_mass) * (pair.mass_minus * before_minus + pair.mass_plus * before_plus);
-    const Vector common = together + (step / total_mass) * damped(force_minus + force_plus, together, controls.damping);
-    set(nodes.velocity, pair.minus, common);
-    set(nodes.velocity, pair.plus, common);
-    if (!released) return;
-    const double greatest = greatest_shear_traction(properties, state, -(state.held_normal + pair.pressure));
-    const double sliding = sliding_velocity(pair, state.held_tangential * pair.length,
-                                            dot(before_plus - before_minus, pair.tangent), greatest * pair.length, step);
-    if (sliding != 0) change_relative_velocity(pair, pair.tangent, sliding, nodes.velocity);
-    return;
+    const double before = relative_velocity(pair, pair.tangent, nodes.velocity);
+    move_together(pair, force_minus + force_plus, controls, nodes.velocity);
+    if (released) {
+      const double greatest =
+          greatest_shear_traction(properties, state, -(state.held_normal + pair.pressure));
+      const double sliding =
+          sliding_velocity(pair, state.held_tangential * pair.length, before, greatest * pair.length, step);
+      if (sliding != 0) change_relative_velocity(pair, pair.tangent, sliding, nodes.velocity);
+      pair.rise = dilation_rise(properties, state, before, step);
+      if (pair.rise > 0)
+        change_relative_velocity(pair, pair.normal, pair.rise / (pair.flatness * step), nodes.velocity);
+      state.dilation += pair.rise;
+    }
+  } else {
+    const CohesiveTraction pull = pull_by_cohesion(properties, state, pair);
+    const Vector on_plus =
+        pair.length * ((pair.pressure - pull.normal) * pair.normal - pull.tangential * pair.tangent);
+    move_apart(pair, force_minus, force_plus, on_plus, controls, nodes.velocity);
+    resist_implicitly(pair, step, nodes.velocity);
+    forbid_overlap(pair, gap(state), step, nodes.velocity);
   }
-  const CohesiveTraction pull = pull_by_cohesion(properties, state, pair);
-  const Vector on_plus = pair.length * ((pair.pressure - pull.normal) * pair.normal - pull.tangential * pair.tangent);
-  set(nodes.velocity, pair.minus,
-      before_minus + (step / pair.mass_minus) * damped(force_minus - on_plus, before_minus, controls.damping));
-  set(nodes.velocity, pair.plus,
-      before_plus + (step / pair.mass_plus) * damped(force_plus + on_plus, before_plus, controls.damping));
-  resist_implicitly(pair, step, nodes.velocity);
-  forbid_overlap(pair, state.opening, step, nodes.velocity);
+  for (const NodeIndex node : {pair.minus, pair.plus})
+    set(nodes.displacement, node, at(nodes.displacement, node) + step * at(nodes.velocity, node));
+  if (released)
+    observe(pair, joints.ramp[unit], controls.tau, properties, nodes.displacement, nodes.velocity, state);
 }
 
 }  // namespace fissura::structure

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "structure/joints/face_pair.hpp"
+#include <map>
+#include <numeric>
 
 namespace fissura::structure {
 
@@ -14,12 +14,6 @@ namespace {
 constexpr int most_sweeps = 50;
 constexpr double settled = 1e-6;  // change of an impulse in a sweep, of the greatest one
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-
-/// Impulses on the faces of a unit [N s/m] and the bounds they keep to.
-struct Impulses {
-  double normal = 0, tangential = 0;
-  double change = 0;  ///< greatest one in the last sweep
-};
 
 /// Changes an impulse by what takes the relative velocity to `wanted`, within bounds. @returns whether the
 /// bounds allowed it
@@ -34,25 +28,19 @@ bool push(const FacePair& pair, Vector direction, double wanted, double least, d
   return given == needed;
 }
 
-/// What holds the faces of a unit together.
-struct Hold {
-  bool normal = false, tangential = false;
-};
-
-double least_normal_velocity(const JointState& state, double step) {
-  return state.opening <= contact_tolerance ? 0 : -state.opening / step;
+double least_normal_velocity(const FacePair& pair, const JointState& state, double step) {
+  return touching(state) ? pair.rise / (pair.flatness * step) : -gap(state) / step;
 }
 
 /// Contact, cohesion and friction within their bounds.
 void sweep(const FacePair& pair, const JointProperties& properties, bool released, double step,
-           JointState& state, Impulses& impulses, Hold& hold, std::span<double> velocity) {
-  const bool touching = state.opening <= contact_tolerance;
+           JointState& state, FaceImpulses& impulses, Hold& hold, std::span<double> velocity) {
   const double area_step = pair.length * step;
   double least = -unbounded;
-  if (released) least = touching ? -holding_cohesion(properties, state) * area_step : 0;
-  const bool free = push(pair, pair.normal, least_normal_velocity(state, step), least, unbounded,
+  if (released) least = touching(state) ? -holding_cohesion(properties, state) * area_step : 0;
+  const bool free = push(pair, pair.normal, least_normal_velocity(pair, state, step), least, unbounded,
                          impulses.normal, impulses.change, velocity);
-  state.closed = !released || (touching && free);
+  state.closed = !released || (touching(state) && free);
   // The fluid pressure is among the loads; what the rock itself transmits is the rest.
   state.held_normal = -(impulses.normal / area_step + pair.pressure);
   const double greatest =
@@ -67,91 +55,144 @@ void sweep(const FacePair& pair, const JointProperties& properties, bool release
 }
 
 /// Keeps together what is held, and lets nothing overlap: no new traction.
-void project(const FacePair& pair, const Hold& hold, double step, const JointState& state, Impulses& impulses,
-             std::span<double> velocity) {
-  push(pair, pair.normal, least_normal_velocity(state, step), hold.normal ? -unbounded : 0, unbounded,
+void project(const FacePair& pair, const Hold& hold, double step, const JointState& state,
+             FaceImpulses& impulses, std::span<double> velocity) {
+  push(pair, pair.normal, least_normal_velocity(pair, state, step), hold.normal ? -unbounded : 0, unbounded,
        impulses.normal, impulses.change, velocity);
   if (hold.tangential)
     push(pair, pair.tangent, 0, -unbounded, unbounded, impulses.tangential, impulses.change, velocity);
 }
 
-/// Sweeps over all units until their impulses settle.
+/// For each unit the first one that it is joined to through shared nodes.
+std::vector<std::size_t> first_joined(const std::vector<SharingUnit>& units) {
+  std::vector<std::size_t> first(units.size());
+  std::iota(first.begin(), first.end(), std::size_t{0});
+  const auto root = [&first](std::size_t k) {
+    while (first[k] != k) k = first[k];
+    return k;
+  };
+  std::map<NodeIndex, std::size_t> user;
+  for (std::size_t k = 0; k < units.size(); ++k)
+    for (const NodeIndex node : {units[k].pair.minus, units[k].pair.plus}) {
+      const auto [found, is_new] = user.emplace(node, k);
+      if (is_new) continue;
+      const auto [low, high] = std::minmax({root(found->second), root(k)});
+      first[high] = low;
+    }
+  for (std::size_t k = 0; k < units.size(); ++k) first[k] = root(k);
+  return first;
+}
+
+}  // namespace
+
+JunctionStep::JunctionStep(std::vector<SharingUnit> units) {
+  const std::vector<std::size_t> first = first_joined(units);
+  std::vector<std::size_t> order(units.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return first[a] < first[b]; });
+  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    std::vector<std::uint32_t> nodes;
+    for (end = begin; end < order.size() && first[order[end]] == first[order[begin]]; ++end) {
+      units_.push_back(units[order[end]]);
+      nodes.insert(nodes.end(), {units_.back().place.minus, units_.back().place.plus});
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    junctions_.push_back({{begin, end}, {nodes_.size(), nodes_.size() + nodes.size()}});
+    nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
+  }
+  before_.resize(nodes_.size());
+  impulses_.resize(units_.size());
+  hold_.resize(units_.size());
+}
+
+/// Sweeps over the units of a junction until their impulses settle.
 template <class Visit>
-void settle(std::size_t units, const Visit& visit) {
-  std::vector<Impulses> impulses(units);
+void JunctionStep::settle(const Range& units, const Visit& visit) {
+  for (std::size_t k = units.begin; k < units.end; ++k) impulses_[k] = {};
   for (int round = 0; round < most_sweeps; ++round) {
     double change = 0, greatest = 0;
-    for (std::size_t k = 0; k < units; ++k) {
-      impulses[k].change = 0;
-      visit(k, impulses[k]);
-      change = std::max(change, impulses[k].change);
-      greatest = std::max({greatest, std::abs(impulses[k].normal), std::abs(impulses[k].tangential)});
+    for (std::size_t k = units.begin; k < units.end; ++k) {
+      FaceImpulses& impulses = impulses_[k];
+      impulses.change = 0;
+      visit(k);
+      change = std::max(change, impulses.change);
+      greatest = std::max({greatest, std::abs(impulses.normal), std::abs(impulses.tangential)});
     }
     if (change <= settled * greatest) return;
   }
 }
 
-}  // namespace
-
-JunctionStep::JunctionStep(std::vector<UnitIndex> units, std::span<const NodePlaces> places)
-    : units_(std::move(units)) {
-  for (const UnitIndex unit : units_) {
-    place_.push_back(places[unit]);
-    nodes_.push_back(places[unit].minus);
-    nodes_.push_back(places[unit].plus);
+void JunctionStep::load(const Junction& junction, const JointNodes& nodes, const JointStepControls& controls,
+                        Joints& joints) {
+  for (std::size_t k = junction.nodes.begin; k < junction.nodes.end; ++k)
+    set(load_, nodes_[k], at(nodes.force, nodes_[k]));
+  for (std::size_t k = junction.units.begin; k < junction.units.end; ++k) {
+    const auto& [unit, place, geometry] = units_[k];
+    FacePair& pair = units_[k].pair;
+    pair.pressure = pair.rise = pair.normal_stiffness = pair.tangential_stiffness = 0;
+    set_masses(nodes.mass, controls.mass_scale, pair);
+    if (!joints.released[unit]) continue;
+    const JointProperties& properties = joints.properties[unit];
+    const JointState& state = joints.state[unit];
+    load_by_fluid(joints.ramp[unit], controls.tau, properties, state, pair);
+    CohesiveTraction pull;
+    if (touching(state))
+      pair.rise = dilation_rise(properties, state, relative_velocity(pair, pair.tangent, nodes.velocity),
+                                controls.step);
+    else
+      pull = pull_by_cohesion(properties, state, pair);
+    const Vector on_plus =
+        pair.length * ((pair.pressure - pull.normal) * pair.normal - pull.tangential * pair.tangent);
+    set(load_, place.plus, at(load_, place.plus) + on_plus);
+    set(load_, place.minus, at(load_, place.minus) - on_plus);
   }
-  std::sort(nodes_.begin(), nodes_.end());
-  nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
 }
 
 // Contact is solved twice: without damping, for the out-of-balance force that the damping needs (a single
 // node's force would count the contact force as well), and once more after it, so that the damping leaves no
 // overlap; the tractions are those of the first.
-void JunctionStep::advance_velocities(const Mesh& mesh, const JointNodes& nodes,
-                                      const JointStepControls& controls, Joints& joints) {
-  if (units_.empty()) return;
+void JunctionStep::advance(std::size_t index, const JointNodes& nodes, const JointStepControls& controls,
+                           Joints& joints) {
+  const Junction& junction = junctions_[index];
   const double step = controls.step;
-  load_.assign(nodes.force.begin(), nodes.force.end());
-  std::vector<FacePair> pairs;
-  for (std::size_t k = 0; k < units_.size(); ++k) {
-    const UnitIndex unit = units_[k];
-    FacePair& pair = pairs.emplace_back(face_pair(mesh.units[unit], nodes.mass, controls.mass_scale));
-    if (!joints.released[unit]) continue;
-    const JointState& state = joints.state[unit];
-    load_by_fluid(joints.ramp[unit], controls.tau, joints.properties[unit], state, pair);
-    CohesiveTraction pull;
-    if (state.opening > contact_tolerance) pull = pull_by_cohesion(joints.properties[unit], state, pair);
-    const Vector on_plus =
-        pair.length * ((pair.pressure - pull.normal) * pair.normal - pull.tangential * pair.tangent);
-    set(load_, place_[k].plus, at(load_, place_[k].plus) + on_plus);
-    set(load_, place_[k].minus, at(load_, place_[k].minus) - on_plus);
-  }
-
-  std::vector<Vector> before;
-  for (const std::uint32_t place : nodes_) {
-    const NodeIndex node = nodes.index[place];
-    before.push_back(at(nodes.velocity, node));
-    set(nodes.velocity, node,
-        before.back() + (step / (controls.mass_scale * nodes.mass[node])) * at(load_, place));
-  }
-  std::vector<Hold> hold(pairs.size());
-  settle(pairs.size(), [&](std::size_t k, Impulses& impulses) {
-    sweep(pairs[k], joints.properties[units_[k]], joints.released[units_[k]] != 0, step,
-          joints.state[units_[k]], impulses, hold[k], nodes.velocity);
-  });
-  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+  load(junction, nodes, controls, joints);
+  const auto scaled_mass = [&](NodeIndex node) { return controls.mass_scale * nodes.mass[node]; };
+  for (std::size_t k = junction.nodes.begin; k < junction.nodes.end; ++k) {
     const NodeIndex node = nodes.index[nodes_[k]];
-    const double mass = controls.mass_scale * nodes.mass[node];
-    const Vector out_of_balance = (mass / step) * (at(nodes.velocity, node) - before[k]);
-    set(nodes.velocity, node,
-        before[k] + (step / mass) * damped(out_of_balance, before[k], controls.damping));
+    before_[k] = at(nodes.velocity, node);
+    set(nodes.velocity, node, before_[k] + (step / scaled_mass(node)) * at(load_, nodes_[k]));
   }
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-    if (joints.state[units_[k]].opening > contact_tolerance)
-      resist_implicitly(pairs[k], step, nodes.velocity);
-  settle(pairs.size(), [&](std::size_t k, Impulses& impulses) {
-    project(pairs[k], hold[k], step, joints.state[units_[k]], impulses, nodes.velocity);
+  settle(junction.units, [&](std::size_t k) {
+    const UnitIndex unit = units_[k].unit;
+    sweep(units_[k].pair, joints.properties[unit], joints.released[unit] != 0, step, joints.state[unit],
+          impulses_[k], hold_[k], nodes.velocity);
   });
+  for (std::size_t k = junction.nodes.begin; k < junction.nodes.end; ++k) {
+    const NodeIndex node = nodes.index[nodes_[k]];
+    const double mass = scaled_mass(node);
+    const Vector out_of_balance = (mass / step) * (at(nodes.velocity, node) - before_[k]);
+    set(nodes.velocity, node,
+        before_[k] + (step / mass) * damped(out_of_balance, before_[k], controls.damping));
+  }
+  for (std::size_t k = junction.units.begin; k < junction.units.end; ++k)
+    if (!touching(joints.state[units_[k].unit])) resist_implicitly(units_[k].pair, step, nodes.velocity);
+  settle(junction.units, [&](std::size_t k) {
+    project(units_[k].pair, hold_[k], step, joints.state[units_[k].unit], impulses_[k], nodes.velocity);
+  });
+
+  for (std::size_t k = junction.nodes.begin; k < junction.nodes.end; ++k) {
+    const NodeIndex node = nodes.index[nodes_[k]];
+    set(nodes.displacement, node, at(nodes.displacement, node) + step * at(nodes.velocity, node));
+  }
+  for (std::size_t k = junction.units.begin; k < junction.units.end; ++k) {
+    const auto& [unit, place, pair] = units_[k];
+    if (!joints.released[unit]) continue;
+    joints.state[unit].dilation += pair.rise;
+    observe(pair, joints.ramp[unit], controls.tau, joints.properties[unit], nodes.displacement,
+            nodes.velocity, joints.state[unit]);
+  }
 }
 
 }  // namespace fissura::structure

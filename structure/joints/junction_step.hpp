@@ -4,13 +4,15 @@
 #include <span>
 #include <vector>
 
+#include "structure/joints/face_pair.hpp"
 #include "structure/joints/joint_state.hpp"
 
 namespace fissura::structure {
 
 /// The nodes of all contact units as one explicit step sees them.
 struct JointNodes {
-  std::span<const double> force;     ///< internal + external without fluid pressure, undamped [N/m], x y of each node of `index`
+  std::span<const double>
+      force;  ///< internal + external without fluid pressure, undamped [N/m], x y of each node of `index`
   std::span<const NodeIndex> index;  ///< joint nodes in the order of `force`
   std::span<const double> mass;      ///< unscaled lumped mass of every node of the mesh [kg/m]
   std::span<double> displacement;    ///< of every node, x y [m]
@@ -29,22 +31,63 @@ struct NodePlaces {
   std::uint32_t minus = 0, plus = 0;
 };
 
-/// The velocities at fracture junctions, where several contact units share nodes: sweeps of impulses over the units until the
-/// contact conditions of all of them hold together.
+/// A unit that shares a node with another one.
+struct SharingUnit {
+  UnitIndex unit = 0;
+  NodePlaces place;
+  FacePair pair;  ///< its geometry; masses and loads are set in every step
+};
+
+/// Impulses on the faces of a unit [N s/m].
+struct FaceImpulses {
+  double normal = 0, tangential = 0;
+  double change = 0;  ///< greatest one in the last sweep
+};
+
+/// What holds the faces of a unit together.
+struct Hold {
+  bool normal = false, tangential = false;
+};
+
+/// Fracture junctions, where several contact units share nodes: sweeps of impulses over the units of one
+/// until the contact conditions of all of them hold together. Junctions share no node with each other: each
+/// is swept by itself, in any order or at the same time.
 class JunctionStep {
  public:
   JunctionStep() = default;
-  /// @param units  the units that share nodes, in order;  @param places  of every unit of the mesh
-  JunctionStep(std::vector<UnitIndex> units, std::span<const NodePlaces> places);
+  /// @param units  that share nodes, ascending
+  explicit JunctionStep(std::vector<SharingUnit> units);
 
-  /// Advances the velocities of the junctions' nodes; sets closed, held_normal and held_tangential of the units.
-  void advance_velocities(const Mesh& mesh, const JointNodes& nodes, const JointStepControls& controls, Joints& joints);
+  /// Number of junctions.
+  [[nodiscard]] std::size_t size() const { return junctions_.size(); }
+
+  /// To be called once before the junctions of a step. @param joint_nodes  how many there are
+  void prepare(std::size_t joint_nodes) { load_.resize(2 * joint_nodes); }
+
+  /// Advances one junction over a step: its nodes, and the state of its units.
+  void advance(std::size_t junction, const JointNodes& nodes, const JointStepControls& controls,
+               Joints& joints);
 
  private:
-  std::vector<UnitIndex> units_;
-  std::vector<NodePlaces> place_;      ///< per entry of units_
-  std::vector<std::uint32_t> nodes_;   ///< places of the nodes of units_, ascending
-  std::vector<double> load_;           ///< per joint node, x y: force with pressure and cohesion [N/m]
+  struct Range {
+    std::size_t begin = 0, end = 0;
+  };
+  struct Junction {
+    Range units, nodes;  ///< in units_ and nodes_
+  };
+
+  void load(const Junction& junction, const JointNodes& nodes, const JointStepControls& controls,
+            Joints& joints);
+  template <class Visit>
+  void settle(const Range& units, const Visit& visit);
+
+  std::vector<SharingUnit> units_;    ///< junction by junction
+  std::vector<std::uint32_t> nodes_;  ///< places of their nodes, ascending in each junction
+  std::vector<Junction> junctions_;
+  std::vector<Vector> before_;  ///< velocity before the step, per entry of nodes_ [m/s]
+  std::vector<FaceImpulses> impulses_;
+  std::vector<Hold> hold_;
+  std::vector<double> load_;  ///< per joint node, x y: force with pressure and cohesion [N/m]
 };
 
 }  // namespace fissura::structure

@@ -27,7 +27,7 @@ BlockPair::BlockPair(const JointProperties& properties, double mass, double leng
       mass_{mass, mass},
       displacement_(4, 0),
       velocity_(4, 0),
-      joint_step_(mesh_, nodes_) {
+      joint_step_(mesh_, nodes_, 1) {
   joints_.properties = {properties};
   joints_.state.resize(1);
   joints_.released = {1};
@@ -36,7 +36,7 @@ BlockPair::BlockPair(const JointProperties& properties, double mass, double leng
 
 void BlockPair::step(Point force_minus, Point force_plus, const JointStepControls& controls) {
   const std::vector<double> force{force_minus[0], force_minus[1], force_plus[0], force_plus[1]};
-  joint_step_.advance(mesh_, {force, nodes_, mass_, displacement_, velocity_}, controls, joints_);
+  joint_step_.advance({force, nodes_, mass_, displacement_, velocity_}, controls, joints_);
 }
 
 void BlockPair::set_velocity_plus(Point velocity) {

@@ -48,7 +48,7 @@ struct Junction {
   }
 
   void advance(const std::vector<double>& force, const JointStepControls& controls) {
-    JointStep(mesh, nodes).advance(mesh, {force, nodes, masses, displacement, velocity}, controls, joints);
+    JointStep(mesh, nodes, 1).advance({force, nodes, masses, displacement, velocity}, controls, joints);
   }
 
   void press(double pressure) {
