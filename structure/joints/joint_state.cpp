@@ -56,6 +56,7 @@ Joints make_joints(const Mesh& mesh, const Case& run_case) {
     if (line.kind == FractureKind::natural) {
       const double p = pore_pressure(run_case.in_situ, mesh.vertices[unit.vertex].position);
       joints.ramp[index] = {p, p, 0, 0, 0};
+      joints.state[index].pressure = p;
     }
   }
   for (const Perforation& perforation : run_case.injection.perforations)
