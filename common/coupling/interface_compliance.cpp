@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "common/coupling/displacement_discontinuity.hpp"
+#include "common/coupling/line_compliance.hpp"
 
 namespace fissura {
 
@@ -78,6 +79,14 @@ void closed_form(const FractureNetwork& network, const std::vector<std::size_t>&
   }
 }
 
+/// Whether the row sum is well posed and cheap: a tree of few nodes. In a network that encloses blocks of rock the blocks
+/// could move freely, so that the static opening of all of it together has no bound.
+bool small_tree(const Neighbours& neighbours, const std::vector<std::size_t>& part) {
+  std::size_t arms = 0;
+  for (const std::size_t node : part) arms += neighbours[node].size();
+  return part.size() <= most_nodes_of_row_sum && arms / 2 + 1 == part.size();
+}
+
 /// One element along the chord of an ordinary node; at a junction one per arm, half way to the neighbour.
 void row_sum(const FractureNetwork& network, const Neighbours& neighbours, const std::vector<std::size_t>& part,
              double plane_strain_modulus, std::vector<double>& compliance) {
@@ -120,13 +129,18 @@ std::vector<double> interface_compliance(const FractureNetwork& network, double 
   const Neighbours neighbours = neighbours_of(network);
   std::vector<double> compliance(network.nodes().size());
   std::vector<bool> seen(network.nodes().size(), false);
+  std::vector<double> by_lines;
   for (std::size_t start = 0; start < network.nodes().size(); ++start) {
     if (seen[start]) continue;
     const std::vector<std::size_t> part = connected_part(neighbours, start, seen);
     if (const auto chain = chain_of(neighbours, part))
       closed_form(network, *chain, plane_strain_modulus, compliance);
-    else
+    else if (small_tree(neighbours, part))
       row_sum(network, neighbours, part, plane_strain_modulus, compliance);
+    else {
+      if (by_lines.empty()) by_lines = line_compliance(network, plane_strain_modulus);
+      for (const std::size_t node : part) compliance[node] = by_lines[node];
+    }
   }
   for (std::size_t i = 0; i < compliance.size(); ++i)
     compliance[i] = std::max(factor * compliance[i],

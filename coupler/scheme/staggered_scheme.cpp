@@ -163,6 +163,10 @@ void StaggeredScheme::insert(const Insertion& insertion) {
     command.body["insertion"] = insertion_to_json(insertion);
     trio_.send(role, std::move(command));
   }
+  // While the participants are at it.
+  compliance_ =
+      interface_compliance(network_, case_.rock.plane_strain_modulus(), case_.coupling.compliance_factor);
+  path_ = fracture_path(network_, case_);
   for (const Role role : {Role::structure, Role::network}) {
     const Message acknowledgement = trio_.await(role, MessageType::acknowledge);
     const auto found = acknowledgement.value<std::string>("hash");
@@ -176,9 +180,6 @@ void StaggeredScheme::insert(const Insertion& insertion) {
     record_.remeshing(network_, read_remeshing(acknowledgement));
     record_.meetings(network_, read_meetings(acknowledgement));
   }
-  compliance_ =
-      interface_compliance(network_, case_.rock.plane_strain_modulus(), case_.coupling.compliance_factor);
-  path_ = fracture_path(network_, case_);
   for (std::size_t i = network_pressure_.size(); i < network_.nodes().size(); ++i) {
     const NetworkNode& node = network_.nodes()[i];
     network_pressure_.push_back(node.saturated ? node.formation_pressure : 0);
