@@ -8,6 +8,7 @@ void check_case(const Case& value, const SourceValue& document, FaultList& fault
   check_in_situ(value, document, faults);
   check_schedule(value, document, faults);
   check_growth(value, document, faults);
+  check_motion(value, document, faults);
 }
 
 }  // namespace fissura::input

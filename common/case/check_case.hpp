@@ -17,8 +17,7 @@ void check_geometry(const Case& value, const SourceValue& document, FaultList& f
 
 /// check_in_situ.cpp: the boundary holds the body in x and y; the in-situ state is in equilibrium,
 ///   div(stress) - alpha grad(p) + density b = 0,
-/// below the tensile strength, and below slip on every natural fracture, |tau| <= c - mu sigma_n
-/// (tension positive; Jaeger, Cook and Zimmerman 2007, ch. 3).
+/// below the tensile strength.
 void check_in_situ(const Case& value, const SourceValue& document, FaultList& faults);
 
 /// check_schedule.cpp: stages in order, from the begin of the run and within it, with known fluids; coupling,
@@ -31,5 +30,8 @@ void check_schedule(const Case& value, const SourceValue& document, FaultList& f
 /// (tension positive, s_1 >= s_3; Jaeger, Cook and Zimmerman 2007, sec. 4.5), whose apex c / tan(phi) lies
 /// beyond the tensile strength.
 void check_growth(const Case& value, const SourceValue& document, FaultList& faults);
+
+/// check_motion.cpp: rectangles that move at time 0 and probes inside the domain; names of probes once.
+void check_motion(const Case& value, const SourceValue& document, FaultList& faults);
 
 }  // namespace fissura::input

@@ -88,7 +88,10 @@ class GeometryCheck {
     for (std::size_t i = 0; i < fracture.points.size(); ++i) {
       const Point& point = fracture.points[i];
       const std::string place = fmt::format("{}[{}]", key, i);
-      if (std::abs(point[0]) >= case_.domain.width / 2 || std::abs(point[1]) >= case_.domain.height / 2)
+      const double beyond = std::max(std::abs(point[0]) - case_.domain.width / 2,
+                                     std::abs(point[1]) - case_.domain.height / 2);
+      const bool may_end_on_side = fracture.kind == FractureKind::natural;
+      if (beyond > 0 || (beyond == 0 && !may_end_on_side))
         refuse(place, text(point),
                fmt::format("a point inside the domain, |x| < {} m and |y| < {} m", case_.domain.width / 2,
                            case_.domain.height / 2));

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "common/case/check_case.hpp"
+#include "common/case/slip_in_situ.hpp"
 
 namespace fissura::input {
 
@@ -65,15 +66,6 @@ void check_equilibrium(const Case& value, const SourceValue& document, FaultList
   }
 }
 
-/// In-plane stress xx, yy, xy at a point [Pa].
-std::array<double, 3> stress_at(const InSitu& in_situ, const Point& point) {
-  std::array<double, 3> stress{};
-  for (std::size_t i = 0; i < stress.size(); ++i)
-    stress[i] = in_situ.stress[i] + in_situ.stress_gradient[i][0] * point[0] +
-                in_situ.stress_gradient[i][1] * point[1];
-  return stress;
-}
-
 double greatest_principal(const std::array<double, 3>& stress) {
   return (stress[0] + stress[1]) / 2 + std::hypot((stress[0] - stress[1]) / 2, stress[2]);
 }
@@ -82,7 +74,7 @@ double greatest_principal(const std::array<double, 3>& stress) {
 void check_tensile_strength(const Case& value, const SourceValue& document, FaultList& faults) {
   const double x = value.domain.width / 2, y = value.domain.height / 2;
   for (const Point& corner : {Point{-x, -y}, Point{x, -y}, Point{x, y}, Point{-x, y}}) {
-    const double tension = greatest_principal(stress_at(value.in_situ, corner));
+    const double tension = greatest_principal(in_plane_stress(value.in_situ, corner));
     if (!(tension > value.rock.tensile_strength)) continue;
     const bool everywhere_tensile = std::min({value.in_situ.stress[0], value.in_situ.stress[1]}) > 0;
     faults.push_back(
@@ -95,46 +87,12 @@ void check_tensile_strength(const Case& value, const SourceValue& document, Faul
   }
 }
 
-struct Traction {
-  double normal;  ///< tension positive [Pa]
-  double shear;   ///< [Pa]
-};
-
-Traction traction_on(const std::array<double, 3>& stress, const Point& a, const Point& b) {
-  const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
-  const double nx = -(b[1] - a[1]) / length, ny = (b[0] - a[0]) / length;
-  const double tx = stress[0] * nx + stress[2] * ny, ty = stress[2] * nx + stress[1] * ny;
-  return {tx * nx + ty * ny, ty * nx - tx * ny};
-}
-
-void check_slip(const Case& value, const SourceValue& document, FaultList& faults) {
-  for (std::size_t i = 0; i < value.fractures.size(); ++i) {
-    const FractureLine& line = value.fractures[i];
-    if (line.kind != FractureKind::natural) continue;
-    for (std::size_t j = 1; j < line.points.size(); ++j) {
-      const Point &a = line.points[j - 1], &b = line.points[j];
-      const std::array<double, 3> stress = stress_at(value.in_situ, {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2});
-      const Traction traction = traction_on(stress, a, b);
-      const double strength = line.cohesion - line.friction_coefficient * traction.normal;
-      if (!(std::abs(traction.shear) > strength)) continue;
-      const std::string key = fmt::format("fracture[{}]", i);
-      faults.push_back(
-          {position_of(document, key), key,
-           fmt::format("natural fracture \"{}\" slipping before the run begins: {:.6g} Pa of shear",
-                       line.name, std::abs(traction.shear)),
-           fmt::format("at most its frictional strength in situ, {:.6g} Pa", strength), ""});
-      break;
-    }
-  }
-}
-
 }  // namespace
 
 void check_in_situ(const Case& value, const SourceValue& document, FaultList& faults) {
   check_support(value, document, faults);
   check_equilibrium(value, document, faults);
   check_tensile_strength(value, document, faults);
-  check_slip(value, document, faults);
 }
 
 }  // namespace fissura::input

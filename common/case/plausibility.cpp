@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/case/plausibility.hpp"
+#include "common/case/slip_in_situ.hpp"
 
 #include <cmath>
 
@@ -100,7 +101,9 @@ FaultList implausible_values(const Case& value, const SourceValue& document) {
   look_at_fluid(value, plausibility);
   look_at_treatment(value, plausibility);
   look_at_controls(value, plausibility);
-  return std::move(plausibility).warnings();
+  FaultList warnings = std::move(plausibility).warnings();
+  warn_of_slip_in_situ(value, document, warnings);
+  return warnings;
 }
 
 }  // namespace fissura::input

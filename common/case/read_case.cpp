@@ -81,6 +81,7 @@ Case read_sections(input::TableReader& document, input::CaseFiles& files) {
   result.dynamics = input::read_dynamics(document);
   result.network = input::read_network(document);
   result.output = input::read_output(document);
+  result.initial_velocities = input::read_initial_velocities(document);
   result.deadlines = input::read_deadlines(document);
   result.pressure_range = input::read_pressure_range(document);
   result.exchange = input::read_exchange(document);

@@ -20,7 +20,8 @@ Coupling read_coupling(TableReader& document) {
   coupling.maximum_steps = table.count("maximum_steps", at_least(1), coupling.maximum_steps);
   coupling.front_fraction = table.number("front_fraction", positive, coupling.front_fraction);
   coupling.drift_tolerance = table.number("drift_tolerance", positive, coupling.drift_tolerance);
-  coupling.compliance_factor = table.number("compliance_factor", between(0.05, 5), coupling.compliance_factor);
+  coupling.compliance_factor =
+      table.number("compliance_factor", between(0.05, 5), coupling.compliance_factor);
   coupling.maximum_interval =
       table.quantity("maximum_interval", dimension::time, positive, coupling.maximum_interval);
   coupling.fracture_normal_stiffness = table.quantity("fracture_normal_stiffness", dimension::gradient,
@@ -43,6 +44,7 @@ Dynamics read_dynamics(TableReader& document) {
   dynamics.event_loading_ratio = table.number("event_loading_ratio", positive, dynamics.event_loading_ratio);
   dynamics.initial_mass_scale = table.number("initial_mass_scale", at_least(1), dynamics.initial_mass_scale);
   dynamics.maximum_mass_scale = table.number("maximum_mass_scale", at_least(1), dynamics.maximum_mass_scale);
+  dynamics.equilibrate = table.flag("equilibrate", dynamics.equilibrate);
   if (dynamics.initial_mass_scale > dynamics.maximum_mass_scale)
     table.refuse("initial_mass_scale", fmt::format("{}", dynamics.initial_mass_scale),
                  fmt::format("at most maximum_mass_scale, {}", dynamics.maximum_mass_scale));
@@ -66,8 +68,26 @@ Output read_output(TableReader& document) {
   Output output;
   output.interval = table.quantity("interval", dimension::time, positive);
   output.reports_per_segment = table.count("reports_per_segment", at_least(1), output.reports_per_segment);
+  for (TableReader& probe : table.optional_tables("probe")) {
+    output.probes.push_back({probe.text("name"), probe.vector("position", dimension::length)});
+    probe.refuse_unknown_keys();
+  }
   table.refuse_unknown_keys();
   return output;
+}
+
+std::vector<InitialVelocity> read_initial_velocities(TableReader& document) {
+  std::vector<InitialVelocity> moving;
+  for (TableReader& table : document.optional_tables("initial_velocity")) {
+    InitialVelocity& part = moving.emplace_back();
+    part.velocity = table.vector("velocity", dimension::velocity);
+    part.west = table.quantity("west", dimension::length, any_value);
+    part.east = table.quantity("east", dimension::length, any_value);
+    part.south = table.quantity("south", dimension::length, any_value);
+    part.north = table.quantity("north", dimension::length, any_value);
+    table.refuse_unknown_keys();
+  }
+  return moving;
 }
 
 Deadlines read_deadlines(TableReader& document) {

@@ -49,6 +49,7 @@ Coupling read_coupling(TableReader& document);
 Dynamics read_dynamics(TableReader& document);
 NetworkControls read_network(TableReader& document);
 Output read_output(TableReader& document);
+std::vector<InitialVelocity> read_initial_velocities(TableReader& document);
 Deadlines read_deadlines(TableReader& document);
 PressureRange read_pressure_range(TableReader& document);
 

@@ -23,6 +23,7 @@ inline constexpr Dimension density{"a density", "kg/m^3", "2500 kg/m^3"};
 inline constexpr Dimension stress{"a stress or pressure", "Pa", "10 MPa"};
 inline constexpr Dimension gradient{"a stress per length", "Pa/m", "10 kPa/m"};
 inline constexpr Dimension energy_per_area{"an energy per area", "J/m^2", "50 N/m"};
+inline constexpr Dimension velocity{"a velocity", "m/s", "2 m/s"};
 inline constexpr Dimension acceleration{"an acceleration", "m/s^2", "-9.81 m/s^2"};
 inline constexpr Dimension angle{"an angle", "radian", "40 degree"};
 inline constexpr Dimension viscosity{"a viscosity", "Pa s", "1.67e-3 Pa s"};

@@ -30,7 +30,7 @@ std::vector<std::string> keys_in(const std::string& fault) {
   return keys;
 }
 
-const std::string failure_and_refinement = R"(
+const std::string optional_tables = R"(
 [failure]
 cohesion = "10 MPa"
 friction_angle = "30 degree"
@@ -38,6 +38,15 @@ strength_across_bedding = "0.5 MPa"
 bedding_azimuth = "20 degree"
 [[mesh.refinement]]
 size = "1 m"
+west = "0 m"
+east = "10 m"
+south = "0 m"
+north = "10 m"
+[[output.probe]]
+name = "beside"
+position = ["0 m", "1 m"]
+[[initial_velocity]]
+velocity = ["1 m/s", "0 m/s"]
 west = "0 m"
 east = "10 m"
 south = "0 m"
@@ -53,9 +62,9 @@ TEST_CASE("every key of every table stands in docs/case_format.md", "[common][ca
       "", "time.", "domain.", "mesh.", "mesh.refinement[0].", "rock.", "failure.", "growth.", "in_situ.",
       "in_situ.gradient.", "boundary.", "fracture[0].", "fracture[1].", "fluid[0].", "leak_off.",
       "injection.", "injection.perforation[0].", "injection.stage[0].", "coupling.", "dynamics.", "network.",
-      "output.", "deadlines.", "pressure_range.", "exchange.", "participants.");
+      "output.", "output.probe[0].", "initial_velocity[0].", "deadlines.", "pressure_range.", "exchange.", "participants.");
   const Folder folder;
-  folder.write("case.toml", valid_case + failure_and_refinement);
+  folder.write("case.toml", valid_case + optional_tables);
   const std::vector<std::string> faults = faults_in(folder, {table + "qqq=1"});
   REQUIRE(faults.size() == 1);
   for (const std::string& key : keys_in(faults.front())) {

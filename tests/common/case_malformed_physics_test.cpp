@@ -198,12 +198,6 @@ TEST_CASE("malformed case 34: an in-situ state that could not have been there be
           Lines{"case.toml:27:29: in_situ: found an effective tension of 2e+06 Pa at (-200, -150) "
                 "m, expected at most rock.tensile_strength, 1000000 Pa"});
   }
-  SECTION("a natural fracture that would already have slipped")
-  check_addition_refused(
-      "@[[fracture]]\nname = \"joint\"\nkind = \"natural\"\nfriction_coefficient = 0.1\n"
-      "points = [[\"0 m\", \"20 m\"], [\"10 m\", \"20 m\"]]\n",
-      "fracture[2]: found natural fracture \"joint\" slipping before the run begins: 2.46202e+06 Pa "
-      "of shear, expected at most its frictional strength in situ, 1.29341e+06 Pa");
   SECTION(
       "weight carried by stress and pore pressure is in equilibrium: 2500 x 9.81 = 24525 = 14715 + 9810") {
     CHECK(
