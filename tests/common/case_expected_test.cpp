@@ -9,7 +9,7 @@ using namespace fissura::test;
 
 namespace {
 
-constexpr std::array columns{HistoryColumn{"time", "s"}, HistoryColumn{"half_length", "m"},
+const std::array columns{HistoryColumn{"time", "s"}, HistoryColumn{"half_length", "m"},
                              HistoryColumn{"inlet_aperture", "m"}, HistoryColumn{"relative_residual", "1"}};
 
 Expectations read(const Folder& folder, const std::string& text) {
