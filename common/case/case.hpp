@@ -131,6 +131,9 @@ struct InSitu {
 /// Pore pressure at a point [Pa].
 double pore_pressure(const InSitu& in_situ, const Point& at);
 
+/// Effective in-plane stress xx, yy, xy at a point, tension positive [Pa].
+std::array<double, 3> in_plane_stress(const InSitu& in_situ, const Point& at);
+
 enum class BoundaryKind {
   fixed,        ///< no displacement
   roller,       ///< no displacement normal to the side

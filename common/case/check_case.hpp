@@ -17,7 +17,7 @@ void check_geometry(const Case& value, const SourceValue& document, FaultList& f
 
 /// check_in_situ.cpp: the boundary holds the body in x and y; the in-situ state is in equilibrium,
 ///   div(stress) - alpha grad(p) + density b = 0,
-/// below the tensile strength.
+/// and below the tensile strength.
 void check_in_situ(const Case& value, const SourceValue& document, FaultList& faults);
 
 /// check_schedule.cpp: stages in order, from the begin of the run and within it, with known fluids; coupling,

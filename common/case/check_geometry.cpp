@@ -75,6 +75,9 @@ class GeometryCheck {
     if (case_.mesh.fracture_size > case_.mesh.far_size)
       refuse("mesh.fracture_size", fmt::format("{} m", case_.mesh.fracture_size),
              fmt::format("at most mesh.far_size, {} m", case_.mesh.far_size));
+    if (case_.mesh.natural_size > case_.mesh.far_size)
+      refuse("mesh.natural_size", fmt::format("{} m", case_.mesh.natural_size),
+             fmt::format("at most mesh.far_size, {} m", case_.mesh.far_size));
     if (case_.mesh.far_size > smaller_side)
       refuse(
           "mesh.far_size", fmt::format("{} m", case_.mesh.far_size),

@@ -30,6 +30,10 @@ class Plausibility {
     if (value != 0) look_at(key, std::abs(value), unit, window);
   }
 
+  void warn(const std::string& key, const std::string& found, const std::string& expected) {
+    warnings_.push_back({position_of(document_, key), key, found, expected, ""});
+  }
+
   FaultList warnings() && { return std::move(warnings_); }
 
  private:
@@ -93,6 +97,17 @@ void look_at_controls(const Case& value, Plausibility& plausibility) {
                        "elements along the fractures", {1, 1e7});
 }
 
+void look_at_natural_fractures(const Case& value, Plausibility& plausibility) {
+  const auto slip = slip_in_situ(value);
+  if (!slip) return;
+  const FractureLine& worst = value.fractures[slip->worst];
+  plausibility.warn(
+      worst.set.empty() ? fmt::format("fracture[{}]", slip->worst) : "natural_fractures",
+      fmt::format("{} natural fracture(s) beyond their frictional strength in situ, \"{}\" by {:.6g} Pa",
+                  slip->lines, worst.name, slip->excess),
+      "none; they slide until they rest before the run begins, and the stress around them is then another");
+}
+
 }  // namespace
 
 FaultList implausible_values(const Case& value, const SourceValue& document) {
@@ -101,9 +116,8 @@ FaultList implausible_values(const Case& value, const SourceValue& document) {
   look_at_fluid(value, plausibility);
   look_at_treatment(value, plausibility);
   look_at_controls(value, plausibility);
-  FaultList warnings = std::move(plausibility).warnings();
-  warn_of_slip_in_situ(value, document, warnings);
-  return warnings;
+  look_at_natural_fractures(value, plausibility);
+  return std::move(plausibility).warnings();
 }
 
 }  // namespace fissura::input

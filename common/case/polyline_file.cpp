@@ -29,13 +29,41 @@ std::optional<double> number_at(std::string_view text, std::size_t& place) {
   return value;
 }
 
-std::optional<Point> point_of(std::string_view line) {
+/// As many numbers as `count`, with commas between them and nothing else.
+std::optional<std::vector<double>> numbers_of(std::string_view line, std::size_t count) {
+  std::vector<double> numbers;
   std::size_t place = 0;
-  const auto x = number_at(line, place);
-  if (!x || place >= line.size() || line[place++] != ',') return {};
-  const auto y = number_at(line, place);
-  if (!y || place != line.size()) return {};
-  return Point{*x, *y};
+  while (numbers.size() < count) {
+    if (!numbers.empty() && (place >= line.size() || line[place++] != ',')) return {};
+    const auto number = number_at(line, place);
+    if (!number) return {};
+    numbers.push_back(*number);
+  }
+  return place == line.size() ? std::optional(numbers) : std::nullopt;
+}
+
+/// The numbers of every line that is not empty and no comment. `form` says what a line should hold, and
+/// `unit` what it is.
+std::vector<std::vector<double>> read_lines(const fs::path& file, std::size_t count, const char* form,
+                                            const char* unit) {
+  std::error_code trouble;
+  if (fs::file_size(file, trouble) > most_bytes)
+    throw InputError(fmt::format("a file of at most {} bytes", most_bytes));
+  std::ifstream stream(file);
+  if (!stream) throw InputError(fmt::format("a readable file; {} cannot be opened", file.string()));
+  std::vector<std::vector<double>> lines;
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    if (line.empty() || line == "\r" || line.front() == '#') continue;
+    auto numbers = numbers_of(line, count);
+    if (!numbers)
+      throw InputError(fmt::format("{} in metres on every line; {}:{} has \"{}\"", form, file.string(),
+                                   number, line.substr(0, 80)));
+    lines.push_back(std::move(*numbers));
+    if (lines.size() > most_points)
+      throw InputError(fmt::format("at most {} {}; {} has more", most_points, unit, file.string()));
+  }
+  return lines;
 }
 
 }  // namespace
@@ -53,26 +81,20 @@ fs::path inside(const fs::path& folder, const std::string& name) {
 }
 
 std::vector<Point> read_polyline(const fs::path& file) {
-  std::error_code trouble;
-  if (fs::file_size(file, trouble) > most_bytes)
-    throw InputError(fmt::format("a file of at most {} bytes", most_bytes));
-  std::ifstream stream(file);
-  if (!stream) throw InputError(fmt::format("a readable file; {} cannot be opened", file.string()));
   std::vector<Point> points;
-  std::string line;
-  for (int number = 1; std::getline(stream, line); ++number) {
-    if (line.empty() || line == "\r" || line.front() == '#') continue;
-    const auto point = point_of(line);
-    if (!point)
-      throw InputError(fmt::format("x,y in metres on every line; {}:{} has \"{}\"", file.string(), number,
-                                   line.substr(0, 80)));
-    points.push_back(*point);
-    if (points.size() > most_points)
-      throw InputError(fmt::format("at most {} points; {} has more", most_points, file.string()));
-  }
+  for (const std::vector<double>& line : read_lines(file, 2, "x,y", "points"))
+    points.push_back({line[0], line[1]});
   if (points.size() < 2)
     throw InputError(fmt::format("at least two points; {} has {}", file.string(), points.size()));
   return points;
+}
+
+std::vector<std::array<Point, 2>> read_trace_ends(const fs::path& file) {
+  std::vector<std::array<Point, 2>> traces;
+  for (const std::vector<double>& line : read_lines(file, 4, "x1,y1,x2,y2", "traces"))
+    traces.push_back({Point{line[0], line[1]}, Point{line[2], line[3]}});
+  if (traces.empty()) throw InputError(fmt::format("at least one trace; {} has none", file.string()));
+  return traces;
 }
 
 }  // namespace fissura::input

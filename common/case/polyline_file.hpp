@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -18,5 +19,9 @@ std::filesystem::path inside(const std::filesystem::path& folder, const std::str
 /// InputError, naming file and line, unless there are at least two points and every line holds two finite
 /// numbers.
 std::vector<Point> read_polyline(const std::filesystem::path& file);
+
+/// Reads straight lines: one `x1,y1,x2,y2` [m] per line, the two ends of each; otherwise as read_polyline.
+/// Throws InputError unless there is at least one.
+std::vector<std::array<Point, 2>> read_trace_ends(const std::filesystem::path& file);
 
 }  // namespace fissura::input

@@ -61,8 +61,14 @@ void require_known_schema(const input::SourceValue& document) {
         fmt::format("{}{}", known_schema, newer ? " (the case needs a newer version of Fissura)" : ""), ""}});
 }
 
-Case read_sections(input::TableReader& document, input::CaseFiles& files) {
-  Case result;
+struct Sections {
+  Case value;
+  std::vector<FractureLine> traces;  ///< of natural fractures, given one by one
+};
+
+Sections read_sections(input::TableReader& document, input::CaseFiles& files) {
+  Sections sections;
+  Case& result = sections.value;
   result.schema = document.count("schema", input::from_to(known_schema, known_schema), known_schema);
   result.title = document.text("title");
   result.time = input::read_time(document);
@@ -74,6 +80,10 @@ Case read_sections(input::TableReader& document, input::CaseFiles& files) {
   result.in_situ = input::read_in_situ(document);
   result.boundary = input::read_boundary(document);
   result.fractures = input::read_fractures(document, result.rock, files);
+  input::NaturalFractures natural =
+      input::read_natural_fractures(document, result.domain, result.fractures, files);
+  result.natural_fracture_sets = std::move(natural.sets);
+  sections.traces = std::move(natural.traces);
   result.fluids = input::read_fluids(document);
   result.leak_off = input::read_leak_off(document);
   result.injection = input::read_injection(document);
@@ -87,7 +97,7 @@ Case read_sections(input::TableReader& document, input::CaseFiles& files) {
   result.exchange = input::read_exchange(document);
   result.participants = input::read_participants(document);
   document.refuse_unknown_keys();
-  return result;
+  return sections;
 }
 
 }  // namespace
@@ -107,9 +117,11 @@ CaseReading read_case(const CaseSource& source) {
 
   CaseReading reading;
   input::TableReader reader(document, "", faults);
-  reading.value = read_sections(reader, files);
+  Sections sections = read_sections(reader, files);
+  reading.value = std::move(sections.value);
   input::check_case(reading.value, document, faults);
   throw_if_any(faults);
+  reading.natural_fractures = add_natural_fractures(reading.value, sections.traces);
   reading.warnings = input::implausible_values(reading.value, document);
   reading.folder = folder;
   reading.files = files.read;

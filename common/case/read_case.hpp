@@ -7,19 +7,21 @@
 
 #include "common/case/case.hpp"
 #include "common/case/faults.hpp"
+#include "common/natural_fractures/natural_network.hpp"
 
 /// From a case folder to the typed case. The keys, units and defaults are in docs/case_format.md.
 namespace fissura {
 
 struct CaseSource {
-  std::filesystem::path path;  ///< of the case folder, or of its case.toml
-  std::vector<std::string> variants;   ///< NAME.toml of the folder is laid over case.toml, one after the other
+  std::filesystem::path path;         ///< of the case folder, or of its case.toml
+  std::vector<std::string> variants;  ///< NAME.toml of the folder is laid over case.toml, one after the other
   std::vector<std::string> overrides;  ///< "KEY.PATH=VALUE" each, applied last and in order
 };
 
 struct CaseReading {
   Case value;
   FaultList warnings;                        ///< values that are allowed but hardly meant
+  NaturalFractureReport natural_fractures;   ///< how those of the case were drawn and cleaned
   std::filesystem::path folder;              ///< of the case
   std::vector<std::filesystem::path> files;  ///< everything that was read, for the record of the run
 };

@@ -9,6 +9,7 @@ namespace fissura::input {
 namespace {
 
 constexpr double friction_of_a_fresh_break = 0.6;
+constexpr const char* only_natural = "no such key unless kind = \"natural\"";
 
 std::vector<Point> read_points(TableReader& table, CaseFiles& files) {
   const bool in_file = table.has("file");
@@ -30,20 +31,18 @@ std::vector<Point> read_points(TableReader& table, CaseFiles& files) {
   }
 }
 
-void read_strength(TableReader& table, FractureLine& line) {
-  line.tensile_strength =
-      table.quantity("tensile_strength", dimension::stress, not_negative, line.tensile_strength);
-  line.fracture_energy =
-      table.quantity("fracture_energy", dimension::energy_per_area, not_negative, line.fracture_energy);
-  if ((line.tensile_strength == 0) != (line.fracture_energy == 0))
-    table.refuse(line.tensile_strength == 0 ? "tensile_strength" : "fracture_energy",
-                 "tensile_strength and fracture_energy both greater than zero, or both zero");
-}
-
 void refuse_if_given(TableReader& table, std::initializer_list<const char*> keys,
                      const std::string& expected) {
   for (const char* key : keys)
     if (table.has(key)) table.refuse(key, expected);
+}
+
+FractureLine natural_line(TableReader& table, const FractureLine& geometry) {
+  FractureLine line = read_natural_faces(table, unspecified_natural_faces(), Friction::required).line;
+  line.name = geometry.name;
+  line.points = geometry.points;
+  line.kind = FractureKind::natural;
+  return line;
 }
 
 FractureLine read_line(TableReader& table, const Rock& rock, CaseFiles& files) {
@@ -57,11 +56,10 @@ FractureLine read_line(TableReader& table, const Rock& rock, CaseFiles& files) {
     case FractureKind::open:
       refuse_if_given(table, {"tensile_strength", "fracture_energy", "friction_coefficient", "cohesion"},
                       "no such key with kind = \"open\", which has no strength");
+      refuse_natural_faces(table, only_natural);
       break;
     case FractureKind::natural:
-      read_strength(table, line);
-      line.friction_coefficient = table.number("friction_coefficient", not_negative);
-      line.cohesion = table.quantity("cohesion", dimension::stress, not_negative, line.cohesion);
+      line = natural_line(table, line);
       break;
     case FractureKind::intact:
       line.tensile_strength = rock.tensile_strength;
@@ -72,6 +70,7 @@ FractureLine read_line(TableReader& table, const Rock& rock, CaseFiles& files) {
       line.friction_coefficient =
           table.number("friction_coefficient", not_negative, friction_of_a_fresh_break);
       line.cohesion = table.quantity("cohesion", dimension::stress, not_negative, line.cohesion);
+      refuse_natural_faces(table, only_natural);
       break;
   }
   table.refuse_unknown_keys();

@@ -63,6 +63,7 @@ Growth read_growth(TableReader& document) {
   growth.failure_damage = table.number("failure_damage", fraction, growth.failure_damage);
   growth.failure_length = table.number("failure_length", positive, growth.failure_length);
   growth.wet_zone = table.number("wet_zone", not_negative, growth.wet_zone);
+  growth.crossing = table.choice("crossing", crossing_rules, growth.crossing);
   table.refuse_unknown_keys();
   return growth;
 }

@@ -38,6 +38,37 @@ Boundaries read_boundary(TableReader& document);
 /// `rock` gives the defaults of intact lines.
 std::vector<FractureLine> read_fractures(TableReader& document, const Rock& rock, CaseFiles& files);
 
+// read_natural_faces.cpp
+/// Strength and fracture energy of a line; those it has are the defaults.
+void read_strength(TableReader& table, FractureLine& line);
+
+/// Properties of the faces of natural fractures, and which of them were given and so are not to be taken from
+/// others.
+struct NaturalFaces {
+  FractureLine line;
+  bool friction_is_given = false;
+  bool residual_aperture_is_given = false;
+};
+
+/// Those of a table that says nothing.
+NaturalFaces unspecified_natural_faces();
+
+enum class Friction { required, optional };
+
+/// `table` laid over `before`.
+NaturalFaces read_natural_faces(TableReader& table, const NaturalFaces& before, Friction friction);
+
+/// Reports each of the keys of natural faces that `table` has.
+void refuse_natural_faces(TableReader& table, const std::string& expected);
+
+// read_natural_fractures.cpp
+struct NaturalFractures {
+  std::vector<NaturalFractureSet> sets;
+  std::vector<FractureLine> traces;  ///< given one by one, of two points each
+};
+NaturalFractures read_natural_fractures(TableReader& document, const Domain& domain,
+                                        const std::vector<FractureLine>& others, CaseFiles& files);
+
 // read_injection.cpp
 std::vector<Fluid> read_fluids(TableReader& document);
 LeakOff read_leak_off(TableReader& document);

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
+#include <cstddef>
+#include <optional>
 
 #include "common/case/case.hpp"
-#include "common/case/source_value.hpp"
 
 namespace fissura::input {
 
-/// Effective in-plane stress xx, yy, xy at a point, tension positive [Pa].
-std::array<double, 3> in_plane_stress(const InSitu& in_situ, const Point& point);
+/// Natural fractures that do not hold under the in-situ stress.
+struct SlipInSitu {
+  std::size_t lines = 0;  ///< how many
+  std::size_t worst = 0;  ///< the one with the greatest excess, index into Case::fractures
+  double excess = 0;      ///< of its shear traction over its strength [Pa]
+};
 
-/// Warns if natural fractures do not hold in situ,  |tau| > c - mu sigma_n  with tension positive (Jaeger,
-/// Cook and Zimmerman 2007, ch. 3): the first of them is named.
-void warn_of_slip_in_situ(const Case& value, const SourceValue& document, FaultList& warnings);
+/// Those beyond  |tau| = c + f_t - mu sigma_n  (tension positive; Jaeger, Cook and Zimmerman 2007, ch. 3), f_t of the cement; nothing if
+/// all hold.
+std::optional<SlipInSitu> slip_in_situ(const Case& value);
 
 }  // namespace fissura::input

@@ -22,6 +22,7 @@ inline constexpr Dimension time{"a time", "s", "10 s"};
 inline constexpr Dimension density{"a density", "kg/m^3", "2500 kg/m^3"};
 inline constexpr Dimension stress{"a stress or pressure", "Pa", "10 MPa"};
 inline constexpr Dimension gradient{"a stress per length", "Pa/m", "10 kPa/m"};
+inline constexpr Dimension joint_compliance{"a length per stress", "m/Pa", "1e-11 m/Pa"};
 inline constexpr Dimension energy_per_area{"an energy per area", "J/m^2", "50 N/m"};
 inline constexpr Dimension velocity{"a velocity", "m/s", "2 m/s"};
 inline constexpr Dimension acceleration{"an acceleration", "m/s^2", "-9.81 m/s^2"};

@@ -36,6 +36,19 @@ cohesion = "10 MPa"
 friction_angle = "30 degree"
 strength_across_bedding = "0.5 MPa"
 bedding_azimuth = "20 degree"
+[natural_fractures]
+friction_coefficient = 0.6
+[[natural_fractures.set]]
+name = "joints"
+orientation = "90 deg"
+spacing = "80 m"
+length = "40 m"
+persistence = "80 m"
+[[natural_fractures.trace]]
+name = "fault"
+centre = ["30 m", "30 m"]
+azimuth = "0 deg"
+length = "20 m"
 [[mesh.refinement]]
 size = "1 m"
 west = "0 m"
@@ -60,9 +73,10 @@ TEST_CASE("every key of every table stands in docs/case_format.md", "[common][ca
   REQUIRE_FALSE(text.empty());
   const std::string table = GENERATE(
       "", "time.", "domain.", "mesh.", "mesh.refinement[0].", "rock.", "failure.", "growth.", "in_situ.",
-      "in_situ.gradient.", "boundary.", "fracture[0].", "fracture[1].", "fluid[0].", "leak_off.",
-      "injection.", "injection.perforation[0].", "injection.stage[0].", "coupling.", "dynamics.", "network.",
-      "output.", "output.probe[0].", "initial_velocity[0].", "deadlines.", "pressure_range.", "exchange.", "participants.");
+      "in_situ.gradient.", "boundary.", "fracture[0].", "fracture[1].", "natural_fractures.",
+      "natural_fractures.set[0].", "natural_fractures.trace[0].", "fluid[0].", "leak_off.", "injection.",
+      "injection.perforation[0].", "injection.stage[0].", "coupling.", "dynamics.", "network.", "output.",
+      "output.probe[0].", "initial_velocity[0].", "deadlines.", "pressure_range.", "exchange.", "participants.");
   const Folder folder;
   folder.write("case.toml", valid_case + optional_tables);
   const std::vector<std::string> faults = faults_in(folder, {table + "qqq=1"});

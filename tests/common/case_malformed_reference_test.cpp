@@ -36,12 +36,82 @@ TEST_CASE("malformed case 26: a file of points that is not there, or holds no po
   }
 }
 
-TEST_CASE("malformed case 32: a table of fracture sets, which this version does not know",
+TEST_CASE("malformed case 32: natural fractures without a spacing, with a bare number, without friction",
           "[common][case][malformed]") {
-  const Lines faults = faults_of(valid_case + "[natural_fractures]\nspacing = \"0 m\"\npersistence = 1.5\n");
-  REQUIRE(faults.size() == 1);
-  CHECK_THAT(faults[0],
-             Catch::StartsWith("case.toml:67:2: natural_fractures: found an unknown key, expected one of "));
+  SECTION("every fault of a set at once")
+  CHECK(faults_of(valid_case + R"([[natural_fractures.set]]
+name = "joints"
+orientation = "90 deg"
+spacing = "0 m"
+length = "40 m"
+persistence = 1.5
+persistence_reading = "spacing"
+east = "300 m"
+)") == Lines{"case.toml:67:1: natural_fractures.set[0].friction_coefficient: found nothing, expected a "
+             "number at least 0",
+             "case.toml:70:11: natural_fractures.set[0].spacing: found \"0 m\", expected a length with its "
+             "unit such as "
+             "\"0.25 m\", greater than 0 m",
+             "case.toml:72:15: natural_fractures.set[0].persistence: found 1.5, expected a length with its "
+             "unit such as "
+             "\"0.25 m\", greater than 0 m",
+             "case.toml:73:23: natural_fractures.set[0].persistence_reading: found \"spacing\", expected one "
+             "of repeat, gap",
+             "case.toml:74:8: natural_fractures.set[0].east: found \"300 m\", expected a length with its "
+             "unit such as "
+             "\"0.25 m\", at least -200 m and at most 200 m"});
+  SECTION("a trace given twice over, of a name that is taken")
+  CHECK(faults_of(valid_case + R"([natural_fractures]
+friction_coefficient = 0.6
+dilation_angle = "40 deg"
+dilation_slip = "1 mm"
+[[natural_fractures.trace]]
+name = "slit"
+points = [["0 m", "20 m"], ["10 m", "20 m"]]
+length = "10 m"
+)") == Lines{"case.toml:69:18: natural_fractures.dilation_angle: found 40 degree, expected at most the angle "
+             "of friction: "
+             "more would make energy out of sliding",
+             "case.toml:72:8: natural_fractures.trace[0].name: found \"slit\", expected a name that no other "
+             "fracture "
+             "and no other set has",
+             "case.toml:74:10: natural_fractures.trace[0].length: found \"10 m\", expected either points, or "
+             "centre, "
+             "azimuth and length"});
+  SECTION("more traces than anybody could mean")
+  CHECK(faults_of(valid_case + R"([[natural_fractures.set]]
+friction_coefficient = 0.6
+name = "joints"
+orientation = "90 deg"
+spacing = "8 mm"
+length = "40 m"
+persistence = "80 m"
+)") == Lines{"case.toml:71:11: natural_fractures.set[0].spacing: found about 187500 traces, expected at most "
+             "20000 in the "
+             "region, by spacing and persistence"});
+}
+
+TEST_CASE("malformed case 32: a file of traces with a line of three numbers, or without any trace",
+          "[common][case][malformed]") {
+  const Folder folder;
+  folder.write("case.toml",
+               valid_case + "[natural_fractures]\nfriction_coefficient = 0.6\nfile = \"joints.csv\"\n");
+  SECTION("three numbers") {
+    folder.write("joints.csv", "# x1,y1,x2,y2\n0,20,10,20\n0,40,10\n");
+    const Lines faults = faults_in(folder);
+    REQUIRE(faults.size() == 1);
+    CHECK_THAT(
+        faults[0],
+        Catch::StartsWith(
+            "case.toml:69:8: natural_fractures.file: found \"joints.csv\", expected x1,y1,x2,y2 in metres"));
+    CHECK_THAT(faults[0], Catch::EndsWith("joints.csv:3 has \"0,40,10\""));
+  }
+  SECTION("none") {
+    folder.write("joints.csv", "# x1,y1,x2,y2\n");
+    const Lines faults = faults_in(folder);
+    REQUIRE(faults.size() == 1);
+    CHECK_THAT(faults[0], Catch::Contains("expected at least one trace"));
+  }
 }
 
 TEST_CASE("malformed case 36: no file leads out of the case folder, and none includes another",
@@ -110,9 +180,10 @@ TEST_CASE("malformed case 41: an address that strangers can reach, without keys"
 
 TEST_CASE("malformed case 42: reports that are never, or always, due", "[common][case][malformed]") {
   SECTION("every 0 s")
-  check_refused("interval = \"0.5 s\"", "interval = @\"0 s\"",
-                "output.interval: found \"0 s\", expected a time with its unit such as \"10 s\", greater than "
-                "0 s");
+  check_refused(
+      "interval = \"0.5 s\"", "interval = @\"0 s\"",
+      "output.interval: found \"0 s\", expected a time with its unit such as \"10 s\", greater than "
+      "0 s");
   SECTION("after the end")
   check_refused("interval = \"0.5 s\"", "interval = @\"11 s\"",
                 "output.interval: found 11 s, expected at most the run, time.end = 10 s");
