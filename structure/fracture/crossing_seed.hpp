@@ -7,7 +7,8 @@
 
 namespace fissura::structure {
 
-/// A junction at which a fracture that joined a natural one may go on beyond it. It lasts until the first segment there.
+/// A junction at which a fracture that joined a natural one may go on beyond it. It lasts until the first
+/// segment there.
 struct CrossingSeed {
   VertexIndex vertex = 0;             ///< the junction
   EdgeIndex edge = 0;                 ///< the last one of the fracture that arrived

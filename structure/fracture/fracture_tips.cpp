@@ -10,7 +10,8 @@ namespace fissura::structure {
 namespace {
 
 constexpr int places_behind_tip = 4;
-constexpr double open_natural_faces = 5e-6;  // opening from which the fluid in a natural fracture pushes its end apart [m]
+constexpr double open_natural_faces =
+    5e-6;  // opening from which the fluid in a natural fracture pushes its end apart [m]
 
 /// One end of an edge, on the way back from a tip.
 struct Place {
@@ -26,7 +27,14 @@ std::array<double, 2> unit_vector(const Point& from, const Point& to) {
 FractureTip tip_at_end(const Mesh& mesh, EdgeIndex edge, VertexIndex vertex, FractureTip::Kind kind) {
   const VertexIndex previous = mesh.edges[edge].across(vertex);
   const Point &at = mesh.vertices[vertex].position, &from = mesh.vertices[previous].position;
-  return {kind, vertex, previous, edge, mesh.vertices[vertex].node, mesh.edges[edge].line, at, unit_vector(from, at)};
+  return {kind,
+          vertex,
+          previous,
+          edge,
+          mesh.vertices[vertex].node,
+          mesh.edges[edge].line,
+          at,
+          unit_vector(from, at)};
 }
 
 /// Calls `visit(edge, vertex)` at every end of a fracture inside the rock.
@@ -40,7 +48,9 @@ void visit_ends(const Mesh& mesh, const Visit& visit) {
 double open_pressure(const Mesh& mesh, const Joints& joints, const Place& place) {
   const UnitIndex unit = mesh.edges[place.edge].unit_at(place.vertex);
   if (unit == no_unit || joints.state[unit].closed) return 0;
-  if (joints.properties[unit].kind == FractureKind::natural && joints.state[unit].opening < open_natural_faces) return 0;
+  if (joints.properties[unit].kind == FractureKind::natural &&
+      joints.state[unit].opening < open_natural_faces)
+    return 0;
   return joints.state[unit].pressure;
 }
 
@@ -72,7 +82,9 @@ std::vector<FractureTip> fracture_tips(const Mesh& mesh) {
 std::vector<FractureTip> natural_ends(const Mesh& mesh, const Joints& joints) {
   std::vector<FractureTip> tips;
   visit_ends(mesh, [&](EdgeIndex edge, VertexIndex vertex) {
-    if (mesh.lines[mesh.edges[edge].line].kind != FractureKind::natural || !active(mesh, joints, edge, vertex)) return;
+    if (mesh.lines[mesh.edges[edge].line].kind != FractureKind::natural ||
+        !active(mesh, joints, edge, vertex))
+      return;
     tips.push_back(tip_at_end(mesh, edge, vertex, FractureTip::Kind::natural_end));
   });
   return tips;

@@ -33,7 +33,8 @@ bool on_natural_fracture(const Mesh& mesh, const Joints& joints, VertexIndex ver
   });
 }
 
-// Fresh faces are dry where the fluid of the network will reach them. Elsewhere, and where a natural fracture is met, pore fluid fills them.
+// Fresh faces are dry where the fluid of the network will reach them. Elsewhere, and where a natural fracture
+// is met, pore fluid fills them.
 double pressure_on_fresh_faces(const GrowthPlan& plan, const Geometry& geometry, const Case& run_case,
                                const Joints& joints, VertexIndex vertex) {
   const bool reached = geometry.network.contains(vertex) || joins_network(plan, vertex);
@@ -152,7 +153,8 @@ double work_spent(const StructureModel& model, const Geometry& geometry, const S
 
 }  // namespace
 
-std::vector<ElementIndex> tip_surroundings(const StructureModel& model, const Geometry& geometry, const Joints& joints) {
+std::vector<ElementIndex> tip_surroundings(const StructureModel& model, const Geometry& geometry,
+                                           const Joints& joints) {
   const double radius = model.run_case.bulk_failure.tip_exclusion * model.run_case.mesh.tip_size;
   const Mesh& mesh = geometry.mesh;
   std::vector<ElementIndex> elements;

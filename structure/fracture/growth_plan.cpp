@@ -10,6 +10,7 @@
 #include "common/log.hpp"
 #include "structure/dynamics/in_situ.hpp"
 #include "structure/fracture/failure_path.hpp"
+#include "structure/fracture/hoop_direction.hpp"
 #include "structure/fracture/nucleation.hpp"
 #include "structure/fracture/patch_selection.hpp"
 #include "structure/fracture/tip_stress.hpp"
@@ -60,7 +61,8 @@ class GrowthPlanner {
         plan.meeting_patch.push_back(plan.patches.size() - 1);
       }
     if (model_.run_case.growth.nucleation)
-      for (const Nucleus& nucleus : nuclei(now_, *map_)) add(plan_nucleus(nucleus, plan), plan, arrivals_.nucleated);
+      for (const Nucleus& nucleus : nuclei(now_, *map_))
+        add(plan_nucleus(nucleus, plan), plan, arrivals_.nucleated);
     if (plan.patches.empty()) return std::nullopt;
     plan.insertion = connect(*fractures_, geometry_.network,
                              joining_vertices(*fractures_, state_.joints, geometry_.network, arrivals_),
@@ -81,7 +83,8 @@ class GrowthPlanner {
   bool add(std::optional<PatchPlan> patch, GrowthPlan& plan, std::vector<VertexIndex>& split) {
     if (!patch) return false;
     Mesh& fractures = planned_fractures();
-    fractures.vertices.insert(fractures.vertices.end(), patch->new_vertices.begin(), patch->new_vertices.end());
+    fractures.vertices.insert(fractures.vertices.end(), patch->new_vertices.begin(),
+                              patch->new_vertices.end());
     for (const FractureEdge& edge : patch->new_edges) add_edge(fractures, edge);
     fractures.lines.resize(geometry_.mesh.lines.size());
     fractures.lines.insert(fractures.lines.end(), plan.new_lines.begin(), plan.new_lines.end());
@@ -122,10 +125,17 @@ class GrowthPlanner {
 
   // Direction in which the rock ahead of a tip fails; nothing if it does not.
   [[nodiscard]] std::optional<std::array<double, 2>> failing_direction(const FractureTip& tip) const {
+    if (tip.kind == FractureTip::Kind::natural_end) {
+      const Kink kink = greatest_hoop_kink(geometry_.mesh, geometry_.node_elements, geometry_.body,
+                                           model_.moduli, state_.body.displacement,
+                                           {tip.position, tip.node, tip.direction, controls_.tip_size});
+      if (!fails(tip, kink.stress)) return std::nullopt;
+      return kink.direction;
+    }
     if (!fails(tip, principal(average(tip, trigger_radius, trigger_width, HalfDisc::Weighting::near)).major))
       return std::nullopt;
-    return growth_direction(average(tip, direction_radius, direction_width, HalfDisc::Weighting::ahead), tip.direction,
-                            model_.run_case.growth.turn_limit);
+    return growth_direction(average(tip, direction_radius, direction_width, HalfDisc::Weighting::ahead),
+                            tip.direction, model_.run_case.growth.turn_limit);
   }
 
   [[nodiscard]] std::optional<std::vector<SegmentEnd>> next_ends(const FractureTip& tip) const {
@@ -146,15 +156,13 @@ class GrowthPlanner {
     for (const SegmentEnd& end : ends)
       line.push_back(
           {end.position, end.kind == SegmentEnd::Kind::fracture ? std::optional(end.vertex) : std::nullopt});
-    return plan_line(
-        line, tip.node, [&] { return line_of(tip, plan); });
+    return plan_line(line, tip.node, [&] { return line_of(tip, plan); });
   }
 
   std::optional<PatchPlan> plan_nucleus(const Nucleus& nucleus, GrowthPlan& plan) {
     std::vector<LineVertex> line;
     for (const Point& point : nucleus.line) line.push_back({point, std::nullopt});
-    return plan_line(
-        line, nucleus.node, [&] { return new_line(plan); });
+    return plan_line(line, nucleus.node, [&] { return new_line(plan); });
   }
 
   template <class LineIndex>
@@ -173,8 +181,8 @@ class GrowthPlanner {
       const auto mesh = mesh_patch(edge, points, choice.field, least_altitude * h);
       if (!mesh) continue;
       take(choice.elements);
-      return plan_patch({geometry_.mesh, geometry_.node_elements, fracture_vertices(), line_index()},
-                        line, choice.elements, edge, *mesh);
+      return plan_patch({geometry_.mesh, geometry_.node_elements, fracture_vertices(), line_index()}, line,
+                        choice.elements, edge, *mesh);
     }
     log::warn(fmt::format("no good mesh for a fracture from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m: it waits",
                           points.front()[0], points.front()[1], points.back()[0], points.back()[1]));

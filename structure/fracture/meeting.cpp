@@ -47,8 +47,10 @@ std::optional<NodeIndex> node_towards(const Geometry& geometry, VertexIndex vert
   for (const NodeIndex node : nodes)
     for (const ElementIndex element : geometry.node_elements.of(node)) {
       const auto& corners = mesh.elements[element];
-      const auto here = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), node) - corners.begin());
-      const Point &next = mesh.position[corners[(here + 1) % 3]], &last = mesh.position[corners[(here + 2) % 3]];
+      const auto here =
+          static_cast<std::size_t>(std::find(corners.begin(), corners.end(), node) - corners.begin());
+      const Point &next = mesh.position[corners[(here + 1) % 3]],
+                  &last = mesh.position[corners[(here + 2) % 3]];
       if (left_of(next, 1) && left_of(last, -1)) return node;
     }
   return std::nullopt;
@@ -95,8 +97,8 @@ std::vector<FractureTip> crossing_tips(const Geometry& geometry, const std::vect
     const auto node = node_towards(geometry, seed.vertex, seed.direction);
     if (!node) continue;
     const FractureEdge& edge = mesh.edges[seed.edge];
-    tips.push_back({FractureTip::Kind::crossing, seed.vertex, edge.across(seed.vertex), seed.edge, *node, edge.line,
-                    mesh.vertices[seed.vertex].position, seed.direction});
+    tips.push_back({FractureTip::Kind::crossing, seed.vertex, edge.across(seed.vertex), seed.edge, *node,
+                    edge.line, mesh.vertices[seed.vertex].position, seed.direction});
   }
   return tips;
 }

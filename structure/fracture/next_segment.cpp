@@ -23,10 +23,13 @@ constexpr double price_of_length = 0.2;       // against lateral distance, in th
 constexpr double least_angle_at_join = 0.35;  // [rad]
 constexpr int edges_next_to_tip = 4;
 
-double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+double distance(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
 
 bool cross(const Point& a, const Point& b, const Point& c, const Point& d) {
-  return (twice_area(a, b, c) > 0) != (twice_area(a, b, d) > 0) && (twice_area(c, d, a) > 0) != (twice_area(c, d, b) > 0);
+  return (twice_area(a, b, c) > 0) != (twice_area(a, b, d) > 0) &&
+         (twice_area(c, d, a) > 0) != (twice_area(c, d, b) > 0);
 }
 
 double segment_distance(const Point& a, const Point& b, const FractureEdge& edge, const Mesh& mesh) {
@@ -45,7 +48,8 @@ std::unordered_set<VertexIndex> vertices_next_to(const Mesh& mesh, VertexIndex t
     std::vector<VertexIndex> next;
     for (const VertexIndex vertex : front)
       for (const EdgeIndex edge : mesh.vertices[vertex].edges)
-        if (const VertexIndex other = mesh.edges[edge].across(vertex); near.insert(other).second) next.push_back(other);
+        if (const VertexIndex other = mesh.edges[edge].across(vertex); near.insert(other).second)
+          next.push_back(other);
     front = std::move(next);
   }
   return near;
@@ -69,13 +73,15 @@ bool joins_at_fair_angle(const Mesh& mesh, const FractureTip& tip, VertexIndex v
     if (edge.begin != vertex && edge.end != vertex) continue;
     const Point& other = mesh.vertices[edge.begin == vertex ? edge.end : edge.begin].position;
     const double ex = other[0] - at[0], ey = other[1] - at[1];
-    if (std::acos(std::clamp((x * ex + y * ey) / (std::hypot(x, y) * std::hypot(ex, ey)), -1.0, 1.0)) < least_angle_at_join)
+    if (std::acos(std::clamp((x * ex + y * ey) / (std::hypot(x, y) * std::hypot(ex, ey)), -1.0, 1.0)) <
+        least_angle_at_join)
       return false;
   }
   return true;
 }
 
-std::optional<SegmentEnd> join(const Mesh& mesh, const FractureTip& tip, const std::array<double, 2>& direction,
+std::optional<SegmentEnd> join(const Mesh& mesh, const FractureTip& tip,
+                               const std::array<double, 2>& direction,
                                const std::unordered_set<VertexIndex>& own, double reach) {
   std::optional<SegmentEnd> best;
   double least = std::numeric_limits<double>::infinity();
@@ -117,7 +123,8 @@ std::array<double, 2> growth_direction(const InPlane<double>& stress, const std:
   const auto across = principal(stress).direction;
   std::array<double, 2> along{-across[1], across[0]};
   if (along[0] * before[0] + along[1] * before[1] < 0) along = {across[1], -across[0]};
-  const double turn = std::atan2(before[0] * along[1] - before[1] * along[0], before[0] * along[0] + before[1] * along[1]);
+  const double turn =
+      std::atan2(before[0] * along[1] - before[1] * along[0], before[0] * along[0] + before[1] * along[1]);
   if (std::abs(turn) <= turn_limit) return along;
   const double c = std::cos(turn_limit), s = std::copysign(std::sin(turn_limit), turn);
   return {c * before[0] - s * before[1], s * before[0] + c * before[1]};
@@ -133,7 +140,8 @@ NextSegment next_segment(const Mesh& mesh, const Domain& domain, const FractureT
     const double gap = segment_distance(tip.position, end, edge, mesh);
     if (own.contains(edge.begin) && own.contains(edge.end)) {
       const Point &a = mesh.vertices[edge.begin].position, &b = mesh.vertices[edge.end].position;
-      if (gap < near_own * h && gap < distance_to_segment(tip.position, a, b)) return {std::nullopt, Obstacle::own_fracture};
+      if (gap < near_own * h && gap < distance_to_segment(tip.position, a, b))
+        return {std::nullopt, Obstacle::own_fracture};
       continue;
     }
     meets_other = meets_other || gap < near_other * h;

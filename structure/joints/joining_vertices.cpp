@@ -21,8 +21,8 @@ bool holds_pore_fluid(const Mesh& mesh, const Joints& joints, VertexIndex vertex
 
 }  // namespace
 
-std::vector<VertexIndex> joining_vertices(const Mesh& mesh, const Joints& joints, const FractureNetwork& network,
-                                          const Arrivals& arrivals) {
+std::vector<VertexIndex> joining_vertices(const Mesh& mesh, const Joints& joints,
+                                          const FractureNetwork& network, const Arrivals& arrivals) {
   const std::set<VertexIndex> split(arrivals.split.begin(), arrivals.split.end());
   std::set<VertexIndex> joining(arrivals.nucleated.begin(), arrivals.nucleated.end());
   std::vector<VertexIndex> front = arrivals.nucleated;

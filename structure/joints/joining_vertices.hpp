@@ -17,11 +17,12 @@ struct Arrivals {
 /// The fracture vertices that become a part of `network`:
 ///  - nucleated ones, which are a part of it by themselves,
 ///  - split ones that the network reaches along fracture edges, and
-///  - every natural fracture that it thereby touches, whole, with all natural fractures that this one is connected to: they are full of pore
+///  - every natural fracture that it thereby touches, whole, with all natural fractures that this one is
+///  connected to: they are full of pore
 ///    fluid. Cement that is not broken lets nothing through.
 /// Of the mesh only vertices, edges and units are looked at.
 /// @returns mesh vertices that are not in the network, ascending, each once
-std::vector<VertexIndex> joining_vertices(const Mesh& mesh, const Joints& joints, const FractureNetwork& network,
-                                          const Arrivals& arrivals);
+std::vector<VertexIndex> joining_vertices(const Mesh& mesh, const Joints& joints,
+                                          const FractureNetwork& network, const Arrivals& arrivals);
 
 }  // namespace fissura::structure

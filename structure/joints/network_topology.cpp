@@ -49,7 +49,8 @@ NodeRole role_of(std::size_t degree, bool perforated) {
 }
 
 /// Completes `insertion` (its new nodes given) with segments, parents and roles.
-void connect_nodes(const Mesh& mesh, const FractureNetwork& network, const Case& run_case, Insertion& insertion) {
+void connect_nodes(const Mesh& mesh, const FractureNetwork& network, const Case& run_case,
+                   Insertion& insertion) {
   std::set<VertexIndex> members, added;
   for (const NetworkNode& node : network.nodes()) members.insert(vertex_of(node.id));
   for (const NetworkNode& node : insertion.new_nodes) added.insert(vertex_of(node.id));
@@ -130,7 +131,8 @@ Insertion connect(const Mesh& mesh, const FractureNetwork& network, const std::v
                   const Case& run_case, double time) {
   Insertion insertion;
   insertion.revision = network.revision() + 1;
-  for (const VertexIndex vertex : vertices) insertion.new_nodes.push_back(make_node(mesh, vertex, run_case, time));
+  for (const VertexIndex vertex : vertices)
+    insertion.new_nodes.push_back(make_node(mesh, vertex, run_case, time));
   connect_nodes(mesh, network, run_case, insertion);
   return insertion;
 }

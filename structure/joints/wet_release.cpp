@@ -10,7 +10,8 @@ namespace {
 
 double pressure_at(const Mesh& mesh, const Joints& joints, VertexIndex vertex) {
   double pressure = 0;
-  for (const UnitIndex unit : mesh.vertices[vertex].units) pressure = std::max(pressure, joints.state[unit].pressure);
+  for (const UnitIndex unit : mesh.vertices[vertex].units)
+    pressure = std::max(pressure, joints.state[unit].pressure);
   return pressure;
 }
 
@@ -23,7 +24,8 @@ bool strength_reached(const Mesh& mesh, const Joints& joints, VertexIndex ahead,
 
 }  // namespace
 
-std::vector<VertexIndex> vertices_to_release(const Mesh& mesh, const Joints& joints, const FractureNetwork& network) {
+std::vector<VertexIndex> vertices_to_release(const Mesh& mesh, const Joints& joints,
+                                             const FractureNetwork& network) {
   std::set<VertexIndex> found;
   for (const FractureEdge& edge : mesh.edges) {
     const bool begin_in = network.contains(edge.begin), end_in = network.contains(edge.end);

@@ -130,7 +130,8 @@ class Inspection {
       const FractureEdge& edge = mesh_.edges[k];
       for (const VertexIndex end : {edge.begin, edge.end}) {
         const auto& listed = mesh_.vertices[end].edges;
-        if (std::count(listed.begin(), listed.end(), k) != 1) note("vertex {} does not list edge {} once", end, k);
+        if (std::count(listed.begin(), listed.end(), k) != 1)
+          note("vertex {} does not list edge {} once", end, k);
       }
       const Point &a = mesh_.vertices[edge.begin].position, &b = mesh_.vertices[edge.end].position;
       const auto left = left_.find({a, b}), right = left_.find({b, a});
@@ -145,7 +146,8 @@ class Inspection {
           if (named != no_unit) note("edge {} names a unit where it is not split", k);
           continue;
         }
-        if (named >= mesh_.units.size() || std::minmax(mesh_.units[named].minus, mesh_.units[named].plus) != std::minmax(minus, plus))
+        if (named >= mesh_.units.size() ||
+            std::minmax(mesh_.units[named].minus, mesh_.units[named].plus) != std::minmax(minus, plus))
           note("edge {} names another unit than that of its faces", k);
         const bool ascending = minus < plus;
         Faces& faces = expected[std::minmax(minus, plus)];

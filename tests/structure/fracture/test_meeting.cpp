@@ -45,14 +45,14 @@ std::size_t vertices_of(const Mesh& mesh, const std::string& line) {
   std::size_t count = 0;
   for (const FractureVertex& vertex : mesh.vertices)
     count += !vertex.units.empty() &&
-             std::any_of(vertex.edges.begin(), vertex.edges.end(), [&](EdgeIndex edge) {
-               return mesh.lines[mesh.edges[edge].line].name == line;
-             });
+             std::any_of(vertex.edges.begin(), vertex.edges.end(),
+                         [&](EdgeIndex edge) { return mesh.lines[mesh.edges[edge].line].name == line; });
   return count;
 }
 
 std::size_t saturated(const GrowthPlan& plan) {
-  return static_cast<std::size_t>(std::count_if(plan.insertion.new_nodes.begin(), plan.insertion.new_nodes.end(),
+  return static_cast<std::size_t>(std::count_if(plan.insertion.new_nodes.begin(),
+                                                plan.insertion.new_nodes.end(),
                                                 [](const NetworkNode& node) { return node.saturated; }));
 }
 
@@ -64,7 +64,8 @@ double easternmost(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("a natural fracture that is met joins the network whole, full of pore fluid", "[structure][fracture]") {
+TEST_CASE("a natural fracture that is met joins the network whole, full of pore fluid",
+          "[structure][fracture]") {
   GrowingRock rock(meeting_case(CrossingRule::never));
   const GrowthPlan plan = grow_until_met(rock);
   CHECK(saturated(plan) == vertices_of(rock.geometry.mesh, "fault"));
@@ -82,8 +83,9 @@ TEST_CASE("a natural fracture that is met joins the network whole, full of pore 
     CHECK(rock.state.joints.state[unit].pressure == 3e6);
 }
 
-TEST_CASE("natural fractures connected to the one that is met join with it, cemented and separate ones do not",
-          "[structure][fracture]") {
+TEST_CASE(
+    "natural fractures connected to the one that is met join with it, cemented and separate ones do not",
+    "[structure][fracture]") {
   Case given = meeting_case(CrossingRule::never);
   add_line(given, "crossing", FractureKind::natural, {-1, 1.5}, {2, 1.5});
   add_line(given, "touching", FractureKind::natural, {2, 1.5}, {2, -1});
@@ -109,8 +111,9 @@ TEST_CASE("the decision at a meeting is written with its numbers", "[structure][
   CHECK(meeting.natural == "fault");
   CHECK(meeting.verdict.angle == Approx(std::numbers::pi / 2).margin(0.1));
   const auto json = meetings_json({meeting}).at(0);
-  for (const char* key : {"time", "x", "y", "hydraulic", "natural", "angle", "stress_xx", "stress_yy", "stress_xy",
-                          "friction", "cohesion", "strength", "criterion", "critical_friction", "crosses"})
+  for (const char* key :
+       {"time", "x", "y", "hydraulic", "natural", "angle", "stress_xx", "stress_yy", "stress_xy", "friction",
+        "cohesion", "strength", "criterion", "critical_friction", "crosses"})
     CHECK(json.contains(key));
   CHECK(json.at("criterion") == "blanton");
   CHECK(json.at("friction") == 0.6);
@@ -166,7 +169,8 @@ TEST_CASE("the mean direction of a fracture looks past its last segment", "[stru
   rock.grow_along(0, 4);
   rock.grow_along(0.5, 1);
   const FractureTip tip = rock.tip_near({6, 0.1});
-  const auto last = mean_direction(rock.geometry.mesh, tip, 1), mean = mean_direction(rock.geometry.mesh, tip, 5);
+  const auto last = mean_direction(rock.geometry.mesh, tip, 1),
+             mean = mean_direction(rock.geometry.mesh, tip, 5);
   CHECK(std::atan2(last[1], last[0]) == Approx(0.5).margin(0.05));
   CHECK(std::atan2(mean[1], mean[0]) == Approx(0.1).margin(0.03));
 }
