@@ -3,6 +3,7 @@
 
 #include "structure/dynamics/element_fields.hpp"
 #include "structure/dynamics/energy.hpp"
+#include "structure/joints/joint_fields.hpp"
 
 namespace fissura::structure {
 
@@ -40,6 +41,7 @@ Message structure_fields(const StructureModel& model, const Geometry& geometry, 
   fields.add("effective_stress_yy", "Pa", yy);
   fields.add("effective_stress_xy", "Pa", xy);
   fields.add("effective_stress_zz", "Pa", zz);
+  if (!geometry.mesh.units.empty()) add_joint_fields(geometry.mesh, state.joints, geometry.network, fields);
   if (model.run_case.bulk_failure.active) {
     fields.add("damage", "1", damage_field(geometry.mesh, failed));
     fields.add("plastic_strain", "1", plastic_strain_field(geometry.mesh, failed));

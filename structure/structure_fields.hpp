@@ -9,7 +9,7 @@ namespace fissura::structure {
 enum class MeshInReport { included, known };
 
 /// FIELDS of the structure: displacement and velocity of the nodes, effective stress of the elements, their damage and size of plastic strain
-/// with bulk failure, and the mesh itself if the coupler does not have it yet.
+/// with bulk failure, the joints, and the mesh itself if the coupler does not have it yet.
 Message structure_fields(const StructureModel& model, const Geometry& geometry, const StructureState& state,
                          MeshInReport mesh);
 

@@ -12,6 +12,7 @@
 #include "structure/fracture/growth.hpp"
 #include "structure/joints/joining_vertices.hpp"
 #include "structure/joints/joint_observation.hpp"
+#include "structure/joints/natural_figures.hpp"
 #include "structure/joints/network_topology.hpp"
 #include "structure/joints/wet_release.hpp"
 #include "structure/structure_fields.hpp"
@@ -19,12 +20,19 @@
 
 namespace fissura::structure {
 
+namespace {
+
+constexpr double tip_sizes_far_away = 10;  // from which on a slip counts as far from the hydraulic fracture
+
+}  // namespace
+
 void StructureSolver::join(const Assignment& assignment) {
   const auto start = std::chrono::steady_clock::now();
   Case run_case = case_from_json(assignment.run_case);
   const Elasticity moduli = elasticity(run_case.rock);
   model_.emplace(StructureModel{std::move(run_case), moduli, assignment.threads});
   geometry_ = build_geometry(*model_);
+  probes_.emplace(model_->run_case.output.probes);
   state_.emplace(initial_state(*model_, geometry_));
   run_ = std::make_unique<StructureRun>(*model_, geometry_);
   if (model_->run_case.bulk_failure.active && model_->run_case.growth.tip == TipRule::damage)
@@ -50,6 +58,8 @@ void StructureSolver::describe_state(Message& reply) {
   reply.add("pressure_opening", "Pa", seen.pressure_opening);
   reply.add("closed", "1", seen.closed);
   reply.add("broken", "1", seen.broken);
+  reply.add("arm_aperture_a", "m", seen.arm_aperture_a);
+  reply.add("arm_aperture_b", "m", seen.arm_aperture_b);
   reply.body["stable_step"] = stable_step(*model_, geometry_, *state_);
   reply.body["mass_scale"] = state_->mass_scaling.scale();
   reply.body["elements"] = geometry_.mesh.elements.size();
@@ -77,6 +87,9 @@ Message StructureSolver::advance(const Message& command) {
   response.body["energy"]["kinetic"] = thickness * run_->kinetic_energy();
   response.body["energy"]["cohesive"] = thickness * cohesive_work(geometry_.mesh, state_->joints);
   response.body["energy"]["failure"] = thickness * failure_work(*model_, geometry_, *state_);
+  if (has_natural_fractures(geometry_.mesh)) response.body["natural_fractures"] = natural_fractures_json();
+  if (probes_->any())
+    response.body["probes"] = probes_json(probes_->observe(*model_, geometry_, *state_), state_->joints);
   if (command.value<bool>("strain_energy"))
     response.body["energy"]["strain"] = strain_energy_of_body(*model_, geometry_, *state_);
   if (const std::optional<Insertion> proposal = propose_growth())
@@ -140,6 +153,14 @@ nlohmann::json StructureSolver::finish() {
           {"setup_seconds", setup_seconds_},
           {"element_seconds", times.elements},
           {"joint_seconds", times.joints}};
+}
+
+nlohmann::json StructureSolver::natural_fractures_json() const {
+  const double far = tip_sizes_far_away * model_->run_case.mesh.tip_size;
+  const NaturalFigures figures = natural_figures(geometry_.mesh, state_->joints, geometry_.network, far);
+  return {{"greatest_slip", figures.greatest_slip},   {"slipped_length", figures.slipped_length},
+          {"opened_length", figures.opened_length},   {"wetted_length", figures.wetted_length},
+          {"slip_distance", figures.slip_distance},   {"greatest_far_slip", figures.greatest_far_slip}};
 }
 
 void StructureSolver::set_ramps_of(const Message& command) {

@@ -7,6 +7,7 @@
 #include "common/exchange/participant.hpp"
 #include "structure/fracture/failing_tips.hpp"
 #include "structure/fracture/growth.hpp"
+#include "structure/structure_probes.hpp"
 #include "structure/structure_run.hpp"
 
 namespace fissura::structure {
@@ -25,6 +26,7 @@ class StructureSolver : public Solver {
   nlohmann::json finish() override;
 
  private:
+  [[nodiscard]] nlohmann::json natural_fractures_json() const;
   void set_ramps_of(const Message& command);
   std::optional<Insertion> propose_growth();
   void rebuild_run();
@@ -35,6 +37,7 @@ class StructureSolver : public Solver {
   Geometry geometry_;
   std::optional<StructureState> state_;
   std::unique_ptr<StructureRun> run_;
+  std::optional<Probes> probes_;
   LoopTimes earlier_loops_;                      ///< of runs before the last change of the geometry
   std::optional<FailingTips> failing_tips_;      ///< with TipRule::damage
   std::optional<GrowthPlan> growth_;             ///< proposed to the coupler, not yet carried out

@@ -88,6 +88,14 @@ double greatest_shear_traction(const JointProperties& properties, const JointSta
          properties.friction_coefficient * std::max(contact_pressure, 0.0);
 }
 
+ContactTraction contact_traction(const JointProperties& properties, const JointState& state, bool released) {
+  if (!state.closed) return {};
+  const double normal = state.held_normal + state.pressure;
+  if (!released) return {normal, state.held_tangential};
+  const double greatest = greatest_shear_traction(properties, state, -normal);
+  return {normal, std::clamp(state.held_tangential, -greatest, greatest)};
+}
+
 double relative_velocity(const FacePair& pair, Vector direction, std::span<const double> velocity) {
   return dot(at(velocity, pair.plus) - at(velocity, pair.minus), direction);
 }

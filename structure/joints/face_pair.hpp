@@ -105,6 +105,13 @@ double holding_cohesion(const JointProperties& properties, const JointState& sta
 double greatest_shear_traction(const JointProperties& properties, const JointState& state,
                                double contact_pressure);
 
+/// Traction that touching faces transmit to each other, the fluid pressure left out: effective, tension positive [Pa]; 0 of faces apart.
+struct ContactTraction {
+  double normal = 0;
+  double shear = 0;  ///< on plus along the tangent; at most what friction and cohesion hold
+};
+ContactTraction contact_traction(const JointProperties& properties, const JointState& state, bool released);
+
 /// Velocity of plus against minus along `direction` [m/s].
 double relative_velocity(const FacePair& pair, Vector direction, std::span<const double> velocity);
 

@@ -10,6 +10,14 @@
 
 namespace fissura::structure {
 
+namespace {
+
+double arm_aperture(const Joints& joints, UnitIndex unit) {
+  return aperture(joints.properties[unit], joints.state[unit]);
+}
+
+}  // namespace
+
 JointObservation observe_joints(const Mesh& mesh, const Joints& joints, const FractureNetwork& network) {
   JointObservation seen;
   for (const NetworkNode& node : network.nodes()) {
@@ -35,6 +43,11 @@ JointObservation observe_joints(const Mesh& mesh, const Joints& joints, const Fr
     seen.closed.push_back(closed ? 1 : 0);
     seen.broken.push_back(broken ? 1 : 0);
   }
+  for (const NetworkSegment& segment : network.segments()) {
+    const FractureEdge& edge = mesh.edges[segment.id];
+    seen.arm_aperture_a.push_back(arm_aperture(joints, edge.unit_at(vertex_of(segment.node_a))));
+    seen.arm_aperture_b.push_back(arm_aperture(joints, edge.unit_at(vertex_of(segment.node_b))));
+  }
   return seen;
 }
 
@@ -42,7 +55,8 @@ void set_ramps(const Mesh& mesh, const FractureNetwork& network, const std::vect
                Joints& joints) {
   ENSURE(ramp.size() == network.nodes().size());
   for (std::size_t i = 0; i < ramp.size(); ++i)
-    for (const UnitIndex unit : mesh.vertices[vertex_of(network.nodes()[i].id)].units) joints.ramp[unit] = ramp[i];
+    for (const UnitIndex unit : mesh.vertices[vertex_of(network.nodes()[i].id)].units)
+      joints.ramp[unit] = ramp[i];
 }
 
 }  // namespace fissura::structure

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structure/joints/joint_state.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fissura::structure {
@@ -42,6 +43,11 @@ VertexIndex nearest_split_vertex(const Mesh& mesh, const Point& position) {
     }
   }
   return nearest;
+}
+
+bool has_natural_fractures(const Mesh& mesh) {
+  return std::any_of(mesh.lines.begin(), mesh.lines.end(),
+                     [](const FractureLine& line) { return line.kind == FractureKind::natural; });
 }
 
 Joints make_joints(const Mesh& mesh, const Case& run_case) {

@@ -61,6 +61,8 @@ double cohesive_work(const Mesh& mesh, const Joints& joints);
 /// The fracture vertex whose faces can separate that is nearest to `position`. @pre there is one
 VertexIndex nearest_split_vertex(const Mesh& mesh, const Point& position);
 
+bool has_natural_fractures(const Mesh& mesh);
+
 /// Properties of every unit of `mesh` and the state at the start: every unit closed and at rest.
 Joints make_joints(const Mesh& mesh, const Case& run_case);
 
