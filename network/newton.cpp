@@ -13,11 +13,14 @@ constexpr double just_beyond = 1e-6;
 /// From this iteration on a node that would fill waits once more on the unfilled side, which breaks cycles.
 constexpr int patience = 40;
 
-double next_unknown(double u, double change, int iteration) {
+double next_unknown(const ContentLaw& law, double u, double change, int iteration) {
   const double next = u + change;
-  if (u >= 0 && next < 0) return -just_beyond;
   if (u < 0 && next >= 0) return iteration < patience ? just_beyond : -just_beyond;
-  return next;
+  if (u < 0) return next;
+  if (iteration < patience)
+    if (const auto kink = first_steepening(law, u, std::max(next, 0.0)))
+      return next > u ? *kink + just_beyond : *kink - just_beyond;
+  return next < 0 ? -just_beyond : next;
 }
 
 bool balanced(const Assembly& assembly, double tolerance) {
@@ -49,7 +52,7 @@ NewtonReport solve_newton(const Model& model, const Graph& graph, const Step& st
     std::vector<double>& change = assembly.residual;
     if (linear.solve(assembly.jacobian, change) == LinearSolver::Outcome::singular) return report;
     for (std::size_t i = 0; i < graph.node_count(); ++i)
-      unknown[i] = next_unknown(unknown[i], -change[i], report.iterations);
+      unknown[i] = next_unknown(step.storage[i], unknown[i], -change[i], report.iterations);
     unknown.back() -= change.back();
   }
 }

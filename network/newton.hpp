@@ -21,9 +21,10 @@ struct NewtonReport {
 void initial_unknown(const Graph& graph, const Step& step, const State& state, std::vector<double>& unknown);
 
 /// Semismooth Newton on the unknowns of fluid_content:  J du = -R,  u += du,  where a node that changes
-/// between filled and unfilled is stopped just beyond the change, so that its new slope is seen before it
-/// goes on. Converged when imbalance <= tolerance * moved, or rounding allows no better. On return `assembly`
-/// belongs to `unknown`.
+/// between filled and unfilled, or comes to where its content begins to change much faster
+/// (first_steepening), is stopped just beyond, so that its new slope is seen before it goes on. Converged
+/// when imbalance <= tolerance * moved, or rounding allows no better. On return `assembly` belongs to
+/// `unknown`.
 /// @param each_iteration  called once per iteration; may be empty
 [[nodiscard]] NewtonReport solve_newton(const Model& model, const Graph& graph, const Step& step,
                                         std::span<const double> content,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 /// Fluid content of a node as a function of one unknown u that covers wet, partly filled and dry: the
 /// complementarity p (1 - filled) = 0 of Elrod and Adams (1974).
@@ -61,6 +62,11 @@ double hydraulic_aperture(const ContentLaw& law, double pressure);
 /// Continuous, never falling in u, and not bounded below: m < 0 is leak-off demand that the node could not
 /// meet.
 NodeContent fluid_content(const ContentLaw& law, double u);
+
+/// The first u on the way from u_begin to u_end, both >= 0, at which the content begins to change more than
+/// twice as fast: where an aperture leaves zero, where a contact opens, or where it closes; none if there is
+/// no such place.
+std::optional<double> first_steepening(const ContentLaw& law, double u_begin, double u_end);
 
 /// The u < 0 whose content is `content` [m]. @pre content < e(0)
 double unfilled_unknown(const ContentLaw& law, double content);
