@@ -102,6 +102,7 @@ JunctionStep::JunctionStep(std::vector<SharingUnit> units) {
     junctions_.push_back({{begin, end}, {nodes_.size(), nodes_.size() + nodes.size()}});
     nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
   }
+  fluid_.resize(junctions_.size());
   before_.resize(nodes_.size());
   impulses_.resize(units_.size());
   hold_.resize(units_.size());
@@ -124,8 +125,27 @@ void JunctionStep::settle(const Range& units, const Visit& visit) {
   }
 }
 
-void JunctionStep::load(const Junction& junction, const JointNodes& nodes, const JointStepControls& controls,
+// One pressure for all arms: that of their mean aperture, which is what the network knows of a node. By its own
+// aperture an open arm would lose the pressure that a closed one gained.
+double JunctionStep::pressure_of_mean_aperture(const Junction& junction, double tau,
+                                               const Joints& joints) const {
+  double volume = 0, length = 0;
+  const PressureRamp* ramp = nullptr;
+  for (std::size_t k = junction.units.begin; k < junction.units.end; ++k) {
+    const UnitIndex unit = units_[k].unit;
+    if (!joints.released[unit]) continue;
+    const double trace = units_[k].pair.length / units_[k].pair.flatness;
+    volume += trace * aperture(joints.properties[unit], joints.state[unit]);
+    length += trace;
+    ramp = &joints.ramp[unit];
+  }
+  return ramp == nullptr ? 0 : ramp->applied(tau, volume / length);
+}
+
+void JunctionStep::load(std::size_t index, const JointNodes& nodes, const JointStepControls& controls,
                         Joints& joints) {
+  const Junction& junction = junctions_[index];
+  fluid_[index] = {pressure_of_mean_aperture(junction, controls.tau, joints), 0, 0};
   for (std::size_t k = junction.nodes.begin; k < junction.nodes.end; ++k)
     set(load_, nodes_[k], at(nodes.force, nodes_[k]));
   for (std::size_t k = junction.units.begin; k < junction.units.end; ++k) {
@@ -136,18 +156,53 @@ void JunctionStep::load(const Junction& junction, const JointNodes& nodes, const
     if (!joints.released[unit]) continue;
     const JointProperties& properties = joints.properties[unit];
     const JointState& state = joints.state[unit];
-    load_by_fluid(joints.ramp[unit], controls.tau, properties, state, pair);
+    pair.pressure = fluid_[index].pressure;
     CohesiveTraction pull;
     if (touching(state))
       pair.rise = dilation_rise(properties, state, relative_velocity(pair, pair.tangent, nodes.velocity),
                                 controls.step);
     else
       pull = pull_by_cohesion(properties, state, pair);
+    fluid_[index].length += pair.length / pair.flatness;
+    if (pair.pressure > 0) fluid_[index].stiffness = joints.ramp[unit].stiffness;
     const Vector on_plus =
         pair.length * ((pair.pressure - pull.normal) * pair.normal - pull.tangential * pair.tangent);
     set(load_, place.plus, at(load_, place.plus) + on_plus);
     set(load_, place.minus, at(load_, place.minus) - on_plus);
   }
+}
+
+// The stiffness of the fluid couples the arms: only what they open together changes its pressure.
+void JunctionStep::resist_fluid(std::size_t index, const JointNodes& nodes, const JointStepControls& controls,
+                                const Joints& joints) const {
+  const Junction& junction = junctions_[index];
+  const Fluid& fluid = fluid_[index];
+  if (fluid.stiffness == 0) return;
+  const auto begin = nodes_.begin() + static_cast<std::ptrdiff_t>(junction.nodes.begin);
+  const auto end = nodes_.begin() + static_cast<std::ptrdiff_t>(junction.nodes.end);
+  const auto number = [&](std::uint32_t place) {
+    return static_cast<std::size_t>(std::lower_bound(begin, end, place) - begin);
+  };
+  std::vector<Vector> gradient(junction.nodes.end - junction.nodes.begin);
+  for (std::size_t k = junction.units.begin; k < junction.units.end; ++k) {
+    const auto& [unit, place, pair] = units_[k];
+    if (!joints.released[unit] || touching(joints.state[unit])) continue;
+    const Vector face = pair.length * pair.normal;
+    gradient[number(place.plus)] = gradient[number(place.plus)] + face;
+    gradient[number(place.minus)] = gradient[number(place.minus)] - face;
+  }
+  const auto node_at = [&](std::size_t k) { return nodes.index[*(begin + static_cast<std::ptrdiff_t>(k))]; };
+  const auto mass_at = [&](std::size_t k) { return controls.mass_scale * nodes.mass[node_at(k)]; };
+  double rate = 0, response = 0;
+  for (std::size_t k = 0; k < gradient.size(); ++k) {
+    rate += dot(gradient[k], at(nodes.velocity, node_at(k)));
+    response += dot(gradient[k], gradient[k]) / mass_at(k);
+  }
+  const double factor = fluid.stiffness * controls.step * controls.step / fluid.length;
+  const double push_back = factor * rate / (1 + factor * response);
+  for (std::size_t k = 0; k < gradient.size(); ++k)
+    set(nodes.velocity, node_at(k),
+        at(nodes.velocity, node_at(k)) - (push_back / mass_at(k)) * gradient[k]);
 }
 
 // Contact is solved twice: without damping, for the out-of-balance force that the damping needs (a single
@@ -157,7 +212,7 @@ void JunctionStep::advance(std::size_t index, const JointNodes& nodes, const Joi
                            Joints& joints) {
   const Junction& junction = junctions_[index];
   const double step = controls.step;
-  load(junction, nodes, controls, joints);
+  load(index, nodes, controls, joints);
   const auto scaled_mass = [&](NodeIndex node) { return controls.mass_scale * nodes.mass[node]; };
   for (std::size_t k = junction.nodes.begin; k < junction.nodes.end; ++k) {
     const NodeIndex node = nodes.index[nodes_[k]];
@@ -178,6 +233,7 @@ void JunctionStep::advance(std::size_t index, const JointNodes& nodes, const Joi
   }
   for (std::size_t k = junction.units.begin; k < junction.units.end; ++k)
     if (!touching(joints.state[units_[k].unit])) resist_implicitly(units_[k].pair, step, nodes.velocity);
+  resist_fluid(index, nodes, controls, joints);
   settle(junction.units, [&](std::size_t k) {
     project(units_[k].pair, hold_[k], step, joints.state[units_[k].unit], impulses_[k], nodes.velocity);
   });
@@ -193,6 +249,9 @@ void JunctionStep::advance(std::size_t index, const JointNodes& nodes, const Joi
     observe(pair, joints.ramp[unit], controls.tau, joints.properties[unit], nodes.displacement,
             nodes.velocity, joints.state[unit]);
   }
+  const double pressure = pressure_of_mean_aperture(junction, controls.tau, joints);
+  for (std::size_t k = junction.units.begin; k < junction.units.end; ++k)
+    if (joints.released[units_[k].unit]) joints.state[units_[k].unit].pressure = pressure;
 }
 
 }  // namespace fissura::structure

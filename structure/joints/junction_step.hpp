@@ -76,14 +76,25 @@ class JunctionStep {
     Range units, nodes;  ///< in units_ and nodes_
   };
 
-  void load(const Junction& junction, const JointNodes& nodes, const JointStepControls& controls,
-            Joints& joints);
+  /// Of the fluid in a junction during a step.
+  struct Fluid {
+    double pressure = 0;   ///< [Pa]
+    double stiffness = 0;  ///< pressure lost per mean opening of the arms [Pa/m]
+    double length = 0;     ///< of all arms [m]
+  };
+
+  void load(std::size_t junction, const JointNodes& nodes, const JointStepControls& controls, Joints& joints);
+  [[nodiscard]] double pressure_of_mean_aperture(const Junction& junction, double tau,
+                                                 const Joints& joints) const;
+  void resist_fluid(std::size_t junction, const JointNodes& nodes, const JointStepControls& controls,
+                    const Joints& joints) const;
   template <class Visit>
   void settle(const Range& units, const Visit& visit);
 
   std::vector<SharingUnit> units_;    ///< junction by junction
   std::vector<std::uint32_t> nodes_;  ///< places of their nodes, ascending in each junction
   std::vector<Junction> junctions_;
+  std::vector<Fluid> fluid_;    ///< per junction
   std::vector<Vector> before_;  ///< velocity before the step, per entry of nodes_ [m/s]
   std::vector<FaceImpulses> impulses_;
   std::vector<Hold> hold_;
