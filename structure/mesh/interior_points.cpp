@@ -27,7 +27,7 @@ class Placement {
  public:
   Placement(const LineArrangement& lines, const PrescribedPoints& prescribed, const MeshRegion& region,
             const Case& given)
-      : stretches_(stretches(lines, given.mesh)),
+      : stretches_(stretches(lines, given)),
         region_(region),
         given_(given),
         controls_(given.mesh),
@@ -116,7 +116,7 @@ class Placement {
     if (own > controls_.corridor) return false;
     const MeshRegion::Sample sample = region_.sample(point);
     return sample.distance >= own - same_place * spacing &&
-           sample.size >= (1 - distance_jitter) * std::min(spacing, controls_.fracture_size) &&
+           sample.size >= (1 - distance_jitter) * std::min(spacing, stretch.size) &&
            has_room(point, sample, spacing);
   }
 

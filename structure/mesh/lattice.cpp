@@ -14,7 +14,7 @@ std::vector<UniformPart> uniform_parts(const Case& given, std::span<const SizedS
   for (const Refinement& r : controls.refinements)
     parts.push_back({r.size, r.west, r.east, r.south, r.north});
   for (const SizedSegment& line : lines)
-    parts.push_back({controls.fracture_size, std::min(line.begin[0], line.end[0]) - controls.corridor,
+    parts.push_back({line.size, std::min(line.begin[0], line.end[0]) - controls.corridor,
                      std::max(line.begin[0], line.end[0]) + controls.corridor,
                      std::min(line.begin[1], line.end[1]) - controls.corridor,
                      std::max(line.begin[1], line.end[1]) + controls.corridor});

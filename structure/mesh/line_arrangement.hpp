@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/case/case.hpp"
+#include "common/case/line_limits.hpp"
 
 namespace fissura::structure {
 
@@ -19,14 +20,6 @@ struct LineArrangement {
   std::vector<Point> vertices;    ///< given points, crossings, touches and perforations, each once [m]
   std::vector<LinePiece> pieces;  ///< line by line, along each line
 };
-
-/// Lines nearer to one another than this, in units of fracture_size, are one point: an end this close to a
-/// line touches it.
-inline constexpr double touch_tolerance = 1e-3;
-/// Nearest that points and lines which do not meet may come, in units of fracture_size.
-inline constexpr double smallest_gap = 0.15;
-/// Smallest angle between lines, or a line and a side of the domain, at a common point [degrees].
-inline constexpr double smallest_line_angle = 10;
 
 /// Cuts the fracture lines of a case where they cross, touch or share points, and at perforations (unless a
 /// vertex lies within smallest_gap of them). An end within touch_tolerance of a line or a side of the domain

@@ -10,7 +10,7 @@ namespace fissura::structure {
 
 PlanarMesh mesh_domain(const Case& given) {
   const LineArrangement lines = arrange_lines(given);
-  const SizeField field(given.mesh, stretches(lines, given.mesh), growing_tips(lines, given));
+  const SizeField field(given.mesh, stretches(lines, given), growing_tips(lines, given));
   PrescribedPoints prescribed = prescribe_points(lines, field, given);
   const MeshRegion region(given.domain, field);
 

@@ -8,7 +8,7 @@ namespace fissura::structure {
 namespace {
 
 constexpr double walk_step = 0.1;       // of the local size
-constexpr double refined_below = 0.99;  // of fracture_size
+constexpr double refined_below = 0.99;  // of the size along the line
 
 double length(Point a, Point b) {
   return std::hypot(b[0] - a[0], b[1] - a[1]);
@@ -45,14 +45,15 @@ std::vector<double> graded_fractions(Point begin, Point end, const Size& size) {
 bool is_refined(Point begin, Point end, const SizeField& field, double size) {
   const int samples = static_cast<int>(std::ceil(length(begin, end) / (walk_step * size)));
   for (int i = 0; i <= samples; ++i)
-    if (field.size_on_line(between(begin, end, static_cast<double>(i) / samples)) < refined_below * size)
+    if (field.size_on_line(between(begin, end, static_cast<double>(i) / samples), size) <
+        refined_below * size)
       return true;
   return false;
 }
 
 std::vector<double> fractions_on_line(Point begin, Point end, const SizeField& field, double size) {
   if (is_refined(begin, end, field, size))
-    return graded_fractions(begin, end, [&field](Point point) { return field.size_on_line(point); });
+    return graded_fractions(begin, end, [&](Point point) { return field.size_on_line(point, size); });
   std::vector<double> fractions;
   const int count = edge_count(length(begin, end), size);
   for (int i = 1; i < count; ++i) fractions.push_back(static_cast<double>(i) / count);
@@ -60,10 +61,11 @@ std::vector<double> fractions_on_line(Point begin, Point end, const SizeField& f
 }
 
 void divide_lines(PrescribedPoints& prescribed, const LineArrangement& lines, const SizeField& field,
-                  double size) {
+                  const Case& given) {
   prescribed.points = lines.vertices;
   for (const LinePiece& piece : lines.pieces) {
     const Point begin = lines.vertices[piece.begin], end = lines.vertices[piece.end];
+    const double size = size_along(given.fractures[piece.line].kind, given.mesh);
     std::uint32_t last = piece.begin;
     const auto add_edge_to = [&](std::uint32_t next) {
       prescribed.edges.push_back({last, next});
@@ -127,12 +129,13 @@ int edge_count(double length, double size) {
   return static_cast<int>(exact / below > (below + 1) / exact ? below + 1 : below);
 }
 
-std::vector<SizedSegment> stretches(const LineArrangement& lines, const MeshControls& controls) {
+std::vector<SizedSegment> stretches(const LineArrangement& lines, const Case& given) {
   std::vector<SizedSegment> result;
   for (const LinePiece& piece : lines.pieces) {
     const Point begin = lines.vertices[piece.begin], end = lines.vertices[piece.end];
     const double total = length(begin, end);
-    result.push_back({begin, end, total / edge_count(total, controls.fracture_size)});
+    const double size = size_along(given.fractures[piece.line].kind, given.mesh);
+    result.push_back({begin, end, total / edge_count(total, size), size});
   }
   return result;
 }
@@ -158,7 +161,7 @@ std::vector<Point> growing_tips(const LineArrangement& lines, const Case& given)
 
 PrescribedPoints prescribe_points(const LineArrangement& lines, const SizeField& field, const Case& given) {
   PrescribedPoints prescribed;
-  divide_lines(prescribed, lines, field, given.mesh.fracture_size);
+  divide_lines(prescribed, lines, field, given);
   divide_sides(prescribed, lines, field, given.domain);
   return prescribed;
 }

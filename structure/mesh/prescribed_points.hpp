@@ -21,14 +21,14 @@ struct PrescribedPoints {
 int edge_count(double length, double size);
 
 /// The pieces of an arrangement with the length of the edges on them.
-std::vector<SizedSegment> stretches(const LineArrangement& lines, const MeshControls& controls);
+std::vector<SizedSegment> stretches(const LineArrangement& lines, const Case& given);
 
 /// The ends of open lines inside the domain that touch nothing, if fractures grow freely.
 std::vector<Point> growing_tips(const LineArrangement& lines, const Case& given);
 
-/// Divides each piece of the lines into equal edges of about fracture_size, or, where tips and refinements
-/// ask for shorter ones, into edges that follow the size field; and the four sides of the domain, between
-/// corners and line ends, into edges that follow it too.
+/// Divides each piece of the lines into equal edges of about the size along the line, or, where finer lines,
+/// tips and refinements ask for shorter ones, into edges that follow the size field; and the four sides of
+/// the domain, between corners and line ends, into edges that follow it too.
 PrescribedPoints prescribe_points(const LineArrangement& lines, const SizeField& field, const Case& given);
 
 }  // namespace fissura::structure

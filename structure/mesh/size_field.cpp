@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
 #include <utility>
 
 #include "common/errors.hpp"
@@ -10,19 +12,20 @@
 namespace fissura::structure {
 namespace {
 
-constexpr double short_stretch = 0.8;         // of fracture_size
+constexpr double short_stretch = 0.8;         // of the size along its line
 constexpr double short_stretch_growth = 0.3;  // size per distance from a short stretch
 
-std::vector<WeightedSegment> unweighted(std::span<const SizedSegment> lines) {
+std::vector<WeightedSegment> of_size(double size, std::span<const SizedSegment> lines) {
   std::vector<WeightedSegment> segments;
-  for (const SizedSegment& line : lines) segments.push_back({line.begin, line.end, 0});
+  for (const SizedSegment& line : lines)
+    if (line.size == size) segments.push_back({line.begin, line.end, 0});
   return segments;
 }
 
-std::vector<WeightedSegment> short_ones(const MeshControls& controls, std::span<const SizedSegment> lines) {
+std::vector<WeightedSegment> short_ones(std::span<const SizedSegment> lines) {
   std::vector<WeightedSegment> segments;
   for (const SizedSegment& line : lines)
-    if (line.edge_length < short_stretch * controls.fracture_size)
+    if (line.edge_length < short_stretch * line.size)
       segments.push_back({line.begin, line.end, line.edge_length / short_stretch_growth});
   return segments;
 }
@@ -34,25 +37,41 @@ double distance_to_rectangle(Point point, const Refinement& r) {
 
 }  // namespace
 
+double size_along(FractureKind kind, const MeshControls& controls) {
+  return kind == FractureKind::natural && controls.natural_size > 0 ? controls.natural_size
+                                                                    : controls.fracture_size;
+}
+
 SizeField::SizeField(const MeshControls& controls, std::span<const SizedSegment> lines,
                      std::vector<Point> tips)
-    : controls_(controls),
-      tips_(std::move(tips)),
-      lines_(unweighted(lines)),
-      short_stretches_(short_ones(controls, lines)) {
+    : controls_(controls), tips_(std::move(tips)), short_stretches_(short_ones(lines)) {
   ENSURE(tips_.empty() || controls.tip_size > 0);
+  std::set<double> sizes;
+  for (const SizedSegment& line : lines) sizes.insert(line.size);
+  for (const double size : sizes) groups_.push_back({size, SegmentTree(of_size(size, lines))});
+}
+
+double SizeField::graded(double size, double distance) const {
+  return size + controls_.gradation * std::max(0.0, distance - controls_.corridor);
 }
 
 SizeField::Sample SizeField::sample(Point point) const {
-  const double distance = lines_.nearest(point).distance;
-  const double beyond = std::max(0.0, distance - controls_.corridor);
-  const double graded = std::min(controls_.far_size, controls_.fracture_size + controls_.gradation * beyond);
+  Sample result{controls_.far_size, std::numeric_limits<double>::infinity()};
+  for (const SizeGroup& group : groups_) {
+    const double distance = group.lines.nearest(point).distance;
+    result.distance = std::min(result.distance, distance);
+    result.size = std::min(result.size, graded(group.size, distance));
+  }
   const double short_limit = short_stretch_growth * short_stretches_.nearest(point).distance;
-  return {refined(point, std::min(graded, short_limit)), distance};
+  result.size = refined(point, std::min(result.size, short_limit));
+  return result;
 }
 
-double SizeField::size_on_line(Point point) const {
-  return refined(point, controls_.fracture_size);
+double SizeField::size_on_line(Point point, double size) const {
+  double least = size;
+  for (const SizeGroup& group : groups_)
+    if (group.size < size) least = std::min(least, graded(group.size, group.lines.nearest(point).distance));
+  return refined(point, least);
 }
 
 double SizeField::refined(Point point, double size) const {

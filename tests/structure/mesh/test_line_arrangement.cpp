@@ -62,7 +62,7 @@ TEST_CASE("the points of a piece of line are equally spaced at about the fractur
   Case given = square(40);
   add_line(given, "slit", {{-3.3, 0}, {4.1, 1}});
   const LineArrangement lines = arrange_lines(given);
-  const SizeField field(given.mesh, stretches(lines, given.mesh), {});
+  const SizeField field(given.mesh, stretches(lines, given), {});
   const PrescribedPoints prescribed = prescribe_points(lines, field, given);
   const double total = std::hypot(7.4, 1);
   REQUIRE(prescribed.line_edges.size() == 15);

@@ -64,7 +64,7 @@ TEST_CASE("beside a straight line the triangles are equilateral and mirrored in 
 TEST_CASE("edges are as long as the size field says", "[structure][mesh]") {
   const Case given = crossing();
   const PlanarMesh mesh = mesh_domain(given);
-  const SizeField field(given.mesh, stretches(arrange_lines(given), given.mesh), {});
+  const SizeField field(given.mesh, stretches(arrange_lines(given), given), {});
   std::vector<double> ratio;
   for (const PointTriple& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) {

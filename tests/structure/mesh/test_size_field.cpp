@@ -19,7 +19,7 @@ std::vector<SizedSegment> random_segments(std::size_t count) {
   std::vector<SizedSegment> segments;
   for (std::size_t i = 0; i < count; ++i) {
     const Point begin{uniform(), uniform()};
-    segments.push_back({begin, {begin[0] + uniform() / 10, begin[1] + uniform() / 10}, 0.5});
+    segments.push_back({begin, {begin[0] + uniform() / 10, begin[1] + uniform() / 10}, 0.5, 0.5});
   }
   return segments;
 }
@@ -28,7 +28,7 @@ std::vector<SizedSegment> random_segments(std::size_t count) {
 
 TEST_CASE("the target size is uniform in the corridor, then grows linearly up to the far size",
           "[structure][mesh]") {
-  const std::vector<SizedSegment> line{{{-1, 0}, {1, 0}, 0.5}};
+  const std::vector<SizedSegment> line{{{-1, 0}, {1, 0}, 0.5, 0.5}};
   const SizeField field(controls, line, {});
   CHECK(field.size({0, 0}) == 0.5);
   CHECK(field.size({0, 2}) == 0.5);
@@ -45,7 +45,7 @@ TEST_CASE("without lines the target size is the far size", "[structure][mesh]") 
 }
 
 TEST_CASE("the target size starts at the edge length of a short stretch of line", "[structure][mesh]") {
-  const std::vector<SizedSegment> lines{{{-10, 0}, {0, 0}, 0.5}, {{0, 0}, {0.1, 0}, 0.1}};
+  const std::vector<SizedSegment> lines{{{-10, 0}, {0, 0}, 0.5, 0.5}, {{0, 0}, {0.1, 0}, 0.1, 0.5}};
   const SizeField field(controls, lines, {});
   CHECK(field.size({0.05, 0}) == Approx(0.1).epsilon(1e-14));
   CHECK(field.size({0.05, 1}) > 0.1);
