@@ -30,7 +30,7 @@ class FrontStep {
         if (passing_[i] > 0) continue;
         const double received = arriving(i), beyond = state_.arrived[i] + received - state_.pore_content[i];
         if (received <= 0 || beyond <= 0) continue;
-        passing_[i] = std::min(1.0, beyond / received);
+        passing_[i] = std::min(1.0, beyond / inflow(i));
         nodes.push_back(i);
         further = true;
       }
@@ -43,19 +43,28 @@ class FrontStep {
   /// Injected fluid that comes in during the step [m].
   [[nodiscard]] double arriving(std::size_t node) const {
     double rate = injected_[node];
-    for (const std::size_t segment : graph_.segments_at(node)) {
-      const double inward = graph_.ends()[segment].b == node ? flow_.flux[segment] : -flow_.flux[segment];
-      rate += std::max(0.0, inward) * passing_[graph_.across(segment, node)];
-    }
+    for (const std::size_t segment : graph_.segments_at(node))
+      rate += inward(segment, node) * passing_[graph_.across(segment, node)];
     return duration_ * rate / graph_.lumped_length()[node];
   }
 
  private:
+  [[nodiscard]] double inward(std::size_t segment, std::size_t node) const {
+    return std::max(0.0, graph_.ends()[segment].b == node ? flow_.flux[segment] : -flow_.flux[segment]);
+  }
+
+  /// Fluid of either kind that comes in during the step [m].
+  [[nodiscard]] double inflow(std::size_t node) const {
+    double rate = injected_[node];
+    for (const std::size_t segment : graph_.segments_at(node)) rate += inward(segment, node);
+    return duration_ * rate / graph_.lumped_length()[node];
+  }
+
   const Graph& graph_;
   const Flow& flow_;
   double duration_;
   const State& state_;
-  std::vector<double> passing_;  ///< share of the step for which a node has been wet
+  std::vector<double> passing_;  ///< share of injected fluid in what leaves a node
   std::vector<double> injected_;
   std::vector<std::size_t> ahead_;
 };

@@ -18,8 +18,8 @@ namespace fissura::network {
 ///   a_i += (dt / l_i) sum_j max(0, q_ji)                    [m]
 /// and is wetted, at the end of the step, when that has replaced the pore fluid it was found with:
 ///   a_i > m_i(joining);   at once, if it joined dry.
-/// A node that is wetted within the step passes on the share of its inflow that came after. To be called with
-/// state.time at the end of the step. @param duration  of the step [s]
+/// A node that is wetted within the step passes on what is beyond that, as a share of all that came in. To be
+/// called with state.time at the end of the step. @param duration  of the step [s]
 void advance_wetting_front(const Graph& graph, const Flow& flow, double duration, State& state);
 
 /// The front enters the cells of `nodes` at `time`.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "tests/network/flow_setup.hpp"
+#include "tests/network/natural_setup.hpp"
 
 using namespace fissura;
 using namespace fissura::network;
@@ -135,4 +136,52 @@ TEST_CASE("leak-off: demand beyond the content empties the node and keeps the le
   const LedgerReport ledger = ledger_report(setup.model, setup.graph, setup.state);
   CHECK(ledger.leaked == Approx(1e-4 * 2).epsilon(1e-12));
   CHECK(std::abs(ledger.residual) <= 1e-18);
+}
+
+TEST_CASE("leak-off: pore fluid that moves does not wet a natural fracture, injected fluid does",
+          "[network][leak-off]") {
+  Model model = leaking_model(1e-6);
+  NaturalSetup setup = pumped_fracture(model, 1e-3);
+  setup.advance(0.1);
+  setup.join({4}, 5, {});
+  // The dry tip draws pore fluid out of the natural fracture.
+  for (int k = 0; k < 20; ++k) setup.advance(0.1);
+  const std::vector<Exposure>& exposure = setup.flow.state.exposure;
+  for (std::size_t i = 5; i < setup.count(); ++i) {
+    CHECK(exposure[i].front == Front::ahead);
+    CHECK(setup.flow.state.leaked[i] == 0);
+  }
+  setup.flow.model.schedule = constant_rate(1e-3);
+  while (exposure[10].front == Front::ahead) setup.advance(0.01);
+  CHECK(exposure[9].front == Front::ahead);
+  CHECK(exposure[11].front == Front::ahead);
+  CHECK(setup.flow.state.arrived[10] > setup.flow.state.pore_content[10]);
+  while (exposure[5].front == Front::ahead && setup.flow.state.time < 1e3) setup.advance(0.02);
+  // The front passes one node after the other.
+  for (std::size_t i = 5; i < 10; ++i) {
+    CHECK(exposure[i].begin > exposure[i + 1].begin);
+    CHECK(exposure[i + 1].front == Front::passed);
+    CHECK(exposure[i + 1].end == exposure[i].begin);
+  }
+  CHECK(setup.flow.state.leaked[10] > 0);
+}
+
+TEST_CASE("leak-off: the front of the injected fluid replaces the pore fluid like a piston",
+          "[network][leak-off]") {
+  Model model = leaking_model(0);
+  model.schedule = constant_rate(1e-5);
+  Insertion insertion = straight_fracture(41, 0.5, {0}, SegmentKind::natural);
+  for (NetworkNode& node : insertion.new_nodes) node.saturated = true;
+  FlowSetup setup(model, insertion);
+  setup.set_rigid(1e-4);
+  // The far end is open to a sink that takes what comes.
+  setup.interval.aperture.back() = 1;
+  const double interval = GENERATE(0.5, 5.0, 20.0);
+  CAPTURE(interval);
+  while (setup.state.time < 100) setup.advance(interval);
+  const double behind = 1e-5 * 100 / 1e-4;
+  const auto wet = static_cast<double>(
+      std::count_if(setup.state.exposure.begin(), setup.state.exposure.end(),
+                    [](const Exposure& exposure) { return exposure.front != Front::ahead; }));
+  CHECK(std::abs(0.5 * wet - 0.25 - behind) <= 0.5);
 }

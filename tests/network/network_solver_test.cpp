@@ -53,6 +53,39 @@ Insertion growth(std::uint64_t revision, std::uint64_t id, double time) {
   return insertion;
 }
 
+/// Also with apertures per arm.
+Message natural_command(std::size_t nodes, std::size_t segments, double begin, double end) {
+  Message command = advance_command(nodes, begin, end);
+  std::vector<double> a(segments), b(segments);
+  for (std::size_t s = 0; s < segments; ++s) a[s] = 2 * (b[s] = 1e-4 * static_cast<double>(s % 3 + 1));
+  command.add("arm_aperture_a", "m", a);
+  command.add("arm_aperture_b", "m", b);
+  return command;
+}
+
+/// A saturated natural fracture of seven nodes, joined at its first to the last of `nodes`.
+Insertion natural_growth(std::uint64_t nodes, double time) {
+  Insertion insertion;
+  insertion.revision = 1;
+  for (std::uint64_t id = nodes + 1; id <= nodes + 7; ++id) {
+    insertion.new_nodes.push_back({.id = id,
+                                   .x = 5,
+                                   .y = 0.1 * static_cast<double>(id),
+                                   .lumped_length = 0.5,
+                                   .exposure_time = time,
+                                   .saturated = true,
+                                   .formation_pressure = 3e6,
+                                   .joint_compliance = 1e-11});
+    insertion.new_segments.push_back({.id = id,
+                                      .node_a = id - 1,
+                                      .node_b = id,
+                                      .kind = id == nodes + 1 ? SegmentKind::hydraulic : SegmentKind::natural,
+                                      .length = 0.5});
+  }
+  insertion.parents.push_back({nodes + 1, nodes});
+  return insertion;
+}
+
 void join(NetworkSolver& solver) {
   solver.join({case_to_json(water_case()), 1});
   (void)solver.insert(test::straight_fracture(5, 0.5, {2}));
@@ -198,7 +231,7 @@ TEST_CASE("network solver: a dry case has no pressure and holds nothing, with an
   CHECK(answer.numbers("pressure", nodes) == zero);
   CHECK(answer.numbers("filled", nodes) == zero);
   CHECK(answer.numbers("aperture_predicted", nodes) == command.numbers("aperture", nodes));
-  for (const char* volume : {"injected", "in_place", "in_fractures", "leaked", "reset", "residual"})
+  for (const char* volume : {"injected", "in_place", "found", "in_fractures", "leaked", "reset", "residual"})
     CHECK(answer.body["ledger"][volume] == 0);
   CHECK(answer.body["newton"]["converged"] == true);
   if (with_slit) (void)solver.insert(growth(1, 6, 0.1));
@@ -208,4 +241,40 @@ TEST_CASE("network solver: a dry case has no pressure and holds nothing, with an
   resumed.join({case_to_json(dry), 1});
   resumed.restore(solver.save());
   CHECK(resumed.finish()["intervals"] == 0);
+}
+
+TEST_CASE(
+    "network solver: a state with natural fractures goes on bit for bit, from before they gave their fluid "
+    "too",
+    "[network][solver]") {
+  const int saved_after = GENERATE(0, 3);
+  NetworkSolver straight, resumed;
+  join(straight);
+  (void)straight.advance(natural_command(5, 4, 0, 0.1));
+  (void)straight.insert(natural_growth(5, 0.1));
+  const auto next = [](NetworkSolver& solver, int k) {
+    return solver.advance(natural_command(12, 11, 0.1 + 0.05 * k, 0.1 + 0.05 * (k + 1)));
+  };
+  for (int k = 0; k < saved_after; ++k) (void)next(straight, k);
+  resumed.join({case_to_json(water_case()), 1});
+  resumed.restore(straight.save());
+  for (int k = saved_after; k < 20; ++k) require_same_bits(next(straight, k), next(resumed, k));
+  CHECK(straight.save() == resumed.save());
+  const nlohmann::json ledger = next(straight, 20).body["ledger"];
+  CHECK(ledger["found"].get<double>() > 0);
+  CHECK(std::abs(ledger["residual"].get<double>()) < 1e-13 * ledger["injected"].get<double>());
+}
+
+TEST_CASE("network solver: apertures of the arms come in pairs, one per segment, none below zero",
+          "[network][solver]") {
+  NetworkSolver solver;
+  join(solver);
+  Message single = advance_command(5, 0, 0.1);
+  single.add("arm_aperture_a", "m", std::vector<double>(4, 1e-3));
+  CHECK_THROWS_AS(solver.advance(single), ProtocolError);
+  Message negative = single;
+  negative.add("arm_aperture_b", "m", std::vector<double>{1e-3, -1e-9, 0, 0});
+  CHECK_THROWS_WITH(solver.advance(negative), Catch::Contains("arm_aperture_b of segment 2"));
+  CHECK_THROWS_AS(solver.advance(natural_command(5, 5, 0, 0.1)), ProtocolError);
+  CHECK_NOTHROW(solver.advance(natural_command(5, 4, 0, 0.1)));
 }

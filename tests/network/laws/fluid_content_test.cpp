@@ -119,3 +119,18 @@ TEST_CASE(
   CHECK(hydraulic_aperture(law, 9e6) == at_opening);
   CHECK(joint_opening(law.joint, 12e6) == Approx(3e-5).epsilon(1e-12));
 }
+
+TEST_CASE("content: the places where it turns steeper are found from either side", "[network][laws]") {
+  ContentLaw law = touching_joint();
+  // Below 1 MPa the aperture is zero; beyond 9 MPa the rock gives way, ten times as much as the joint.
+  CHECK(first_steepening(law, 0.2, 20).value() == Approx(1).epsilon(1e-9));
+  CHECK(first_steepening(law, 2, 20).value() == Approx(9).epsilon(1e-12));
+  CHECK_FALSE(first_steepening(law, 2, 8).has_value());
+  CHECK_FALSE(first_steepening(law, 20, 0).has_value());
+  law.compliance = 0;
+  CHECK(first_steepening(law, 20, 3).value() == Approx(9).epsilon(1e-12));
+  law.joint.compliance = 0;
+  CHECK_FALSE(first_steepening(law, 0, 20).has_value());
+  const ContentLaw open{1e-3, 1e-9, 5e6, 2e9, 1e-5, Faces::separated};
+  CHECK(first_steepening(open, 1, 20).value() == Approx(4).epsilon(1e-12));
+}
