@@ -45,17 +45,17 @@ class Axis {
             pairs.push_back({0, begin, end, change});
     std::stable_sort(pairs.begin(), pairs.end(),
                      [](const Fit& a, const Fit& b) { return a.change < b.change; });
-    std::vector<std::pair<double, double>> refused;
+    std::vector<std::array<double, 2>> refused;
     int tries = 0;
     for (const Fit& pair : pairs) {
       const bool hopeless = std::any_of(refused.begin(), refused.end(), [&](const auto& stretch) {
-        return pair.begin <= stretch.first && pair.end >= stretch.second;
+        return pair.begin <= stretch[0] && pair.end >= stretch[1];
       });
       if (hopeless) continue;
       const auto conflict = network_.conflict({at(pair.begin), at(pair.end)}, lines_, origin_);
       if (!conflict) return pair;
       if (++tries == most_tries) break;
-      refused.emplace_back(conflict->first, conflict->last);
+      if (conflict->wherever) refused.push_back(*conflict->wherever);
     }
     return {};
   }

@@ -74,12 +74,12 @@ class Inspection {
 
   [[nodiscard]] double place(Point point) const { return dot(difference(point, origin_), along_); }
 
-  /// A conflict that any trace through `along` has; if that is no inner place of this one, with this one
-  /// alone.
+  /// A conflict at a place: one of every trace that passes through it.
   [[nodiscard]] Conflict at_place(Conflict::Kind kind, std::size_t line, Point at, double amount) const {
     const double along = place(at), slack = limits_.clearance(limits_.natural_size);
-    const bool inner = along > begin_ + slack && along < end_ - slack;
-    return {kind, line, at, amount, inner ? along - slack : begin_, inner ? along + slack : end_};
+    Conflict conflict{kind, line, at, amount, {}};
+    if (along > begin_ + slack && along < end_ - slack) conflict.wherever = {along - slack, along + slack};
+    return conflict;
   }
 
   [[nodiscard]] std::optional<Conflict> passing(std::size_t index, const TraceNetwork::Line& line) const {
@@ -118,7 +118,7 @@ class Inspection {
     for (const Point end : {trace_.begin, trace_.end}) {
       if (length(difference(end, here.at)) <= limits_.same_place()) continue;
       if (const double to_line = distance(end, line.segment); to_line < limits_.gap(size))
-        return Conflict{Conflict::Kind::near, index, end, to_line, begin_, end_};
+        return Conflict{Conflict::Kind::near, index, end, to_line, {}};
     }
     return {};
   }
@@ -131,11 +131,14 @@ class Inspection {
       const Place& one = places_[i];
       for (const double end : {begin_, end_})
         if (const double apart = std::abs(end - one.along); apart > same && apart < clearance)
-          return Conflict{Conflict::Kind::crowded, one.line, one.at, apart, begin_, end_};
+          return Conflict{Conflict::Kind::crowded, one.line, one.at, apart, {}};
       if (i == 0) continue;
       if (const double apart = one.along - places_[i - 1].along; apart > same && apart < clearance)
-        return Conflict{Conflict::Kind::crowded,     one.line,        one.at, apart,
-                        places_[i - 1].along - same, one.along + same};
+        return Conflict{Conflict::Kind::crowded,
+                        one.line,
+                        one.at,
+                        apart,
+                        {{places_[i - 1].along - same, one.along + same}}};
     }
     return {};
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -41,9 +42,9 @@ struct Conflict {
   std::size_t line = 0;  ///< the line in the way
   Point at{};            ///< [m]
   double amount = 0;     ///< the distance [m], or the angle [rad]
-  /// Every trace on the same axis that covers these places along it is in the same conflict [m]; from the
-  /// conflict itself alone if it depends on where the trace ends.
-  double first = 0, last = 0;
+  /// Any trace on the same axis that covers the stretch between these places along it is in the same conflict
+  /// [m]; nothing if that depends on where it ends.
+  std::optional<std::array<double, 2>> wherever;
 };
 
 /// Straight lines that keep the limits from one another, and the places where they meet.

@@ -32,7 +32,8 @@ void add_case_options(CLI::App& command, CaseSource& source, bool& short_form) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App program("Fissura: hydraulic fractures in tight rock. Launches structure and network and couples them.");
+  CLI::App program(
+      "Fissura: hydraulic fractures in tight rock. Launches structure and network and couples them.");
   program.set_version_flag("--version", FISSURA_VERSION);
   program.require_subcommand(1);
   fissura::coupler::RunOptions options;
@@ -42,8 +43,10 @@ int main(int argc, char** argv) {
   CLI::App* run = program.add_subcommand("run", "runs a case and compares its result with what it must give");
   add_case_options(*run, options.source, short_form);
   run->add_option("--out", options.directory, "run directory");
-  run->add_option("--network", options.network_command, "another flow solver; --connect ENDPOINT is appended");
-  run->add_option("--structure", options.structure_command, "another structure; --connect ENDPOINT is appended");
+  run->add_option("--network", options.network_command,
+                  "another flow solver; --connect ENDPOINT is appended");
+  run->add_option("--structure", options.structure_command,
+                  "another structure; --connect ENDPOINT is appended");
   run->add_option("--threads", options.threads, "threads of the structure; every core if not given")
       ->check(CLI::Range(1, 1024));
   run->add_option("--until", options.until, "an earlier end, e.g. \"2 s\"; without a verdict");
@@ -52,6 +55,9 @@ int main(int argc, char** argv) {
 
   CLI::App* check = program.add_subcommand("check", "every fault of a case, or what follows from it");
   add_case_options(*check, options.source, short_form);
+  std::optional<std::filesystem::path> picture;
+  check->add_option("--svg", picture, "draws domain, fractures and in-situ stress into this file")
+      ->type_name("FILE");
 
   std::filesystem::path run_directory;
   std::optional<std::filesystem::path> page;
@@ -64,7 +70,7 @@ int main(int argc, char** argv) {
     if (short_form) options.source.variants.emplace_back("short");
     if (run->parsed()) return fissura::coupler::run_command(options);
     if (report->parsed()) return fissura::coupler::report_command(run_directory, page);
-    return fissura::coupler::check_command(options.source);
+    return fissura::coupler::check_command(options.source, picture);
   } catch (const CLI::ParseError& fault) {
     return program.exit(fault) == 0 ? 0 : static_cast<int>(ExitCode::command_line);
   } catch (const fissura::Error& fault) {

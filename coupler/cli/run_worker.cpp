@@ -11,6 +11,7 @@
 
 #include "common/case/case_json.hpp"
 #include "common/log.hpp"
+#include "coupler/cli/natural_fracture_files.hpp"
 #include "coupler/launch/supervisor.hpp"
 #include "coupler/launch/trio.hpp"
 #include "coupler/record/run_record.hpp"
@@ -123,6 +124,10 @@ class Worker {
          {},
          probe_names(run_.reading.value)});
     recording_ = true;
+    const NaturalFractureReport& natural = run_.reading.natural_fractures;
+    if (natural.given + natural.drawn > 0)
+      record_.event(EventLevel::info, "coupler", "case", summary_of(natural));
+    write_natural_fractures(run_.directory, run_.reading.value, natural);
     for (const Fault& warning : run_.reading.warnings)
       record_.event(EventLevel::warn, "coupler", "case", describe(warning));
   }
