@@ -27,8 +27,14 @@ namespace fissura::coupler::page_files {
 const std::string_view page_html = ${html};
 const std::string_view page_css = ${css};
 const std::string_view chart_library = ${library};
-const std::array<std::string_view, 5> scripts{
+namespace {
+
+constexpr std::string_view script_texts[]{
 ${scripts}};
+
+}  // namespace
+
+const std::span<const std::string_view> scripts(script_texts);
 
 }  // namespace fissura::coupler::page_files
 ")

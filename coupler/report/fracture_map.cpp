@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "common/fracture_network/fracture_network.hpp"
 #include "coupler/report/drawn_numbers.hpp"
 #include "coupler/report/thinning.hpp"
 
@@ -29,12 +30,14 @@ class Pool {
       numbers.push_back(found->second);
     }
     const std::vector<double> segment_id = reports.of_network(revision, "segment_id");
-    const std::vector<double> ends = reports.of_network(revision, "segments");
+    const std::vector<double> ends = reports.of_network(revision, "segments"),
+                              kind = reports.of_network(revision, "segment_kind");
     for (std::size_t segment = 0; segment < segment_id.size(); ++segment) {
       if (!seen_.emplace(segment_id[segment], report).second) continue;
       const auto first = static_cast<std::size_t>(ends[2 * segment]),
                  second = static_cast<std::size_t>(ends[2 * segment + 1]);
       segments_.push_back({numbers[first], numbers[second], report});
+      kinds_.push_back(static_cast<int>(kind[segment]));
     }
     return numbers;
   }
@@ -42,11 +45,12 @@ class Pool {
   [[nodiscard]] std::size_t nodes() const { return x_.size(); }
   [[nodiscard]] json node_list() const { return {{"x", x_}, {"y", y_}}; }
   [[nodiscard]] const json& segment_list() const { return segments_; }
+  [[nodiscard]] const json& kind_list() const { return kinds_; }
 
  private:
   std::map<double, std::size_t> number_of_node_, seen_;
   std::vector<double> x_, y_;
-  json segments_ = json::array();
+  json segments_ = json::array(), kinds_ = json::array();
 };
 
 json by_node(const std::vector<double>& values, const std::vector<std::size_t>& numbers, std::size_t nodes) {
@@ -72,7 +76,23 @@ json fracture_map(FieldReports& reports, std::size_t most_reports) {
     }
     shown.push_back(std::move(entry));
   }
-  return {{"nodes", pool.node_list()}, {"segments", pool.segment_list()}, {"reports", shown}};
+  return {{"nodes", pool.node_list()},
+          {"segments", pool.segment_list()},
+          {"kinds", pool.kind_list()},
+          {"reports", shown}};
+}
+
+std::vector<double> hydraulic_nodes(FieldReports& reports, std::uint64_t revision) {
+  const std::vector<double> position = reports.of_network(revision, "position"),
+                            ends = reports.of_network(revision, "segments"),
+                            kind = reports.of_network(revision, "segment_kind");
+  std::vector<double> nodes;
+  for (std::size_t end = 0; end < ends.size(); ++end) {
+    if (kind[end / 2] != static_cast<double>(SegmentKind::hydraulic)) continue;
+    const auto node = static_cast<std::size_t>(ends[end]);
+    nodes.insert(nodes.end(), {position[2 * node], position[2 * node + 1]});
+  }
+  return nodes;
 }
 
 }  // namespace fissura::coupler

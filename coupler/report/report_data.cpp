@@ -9,8 +9,10 @@
 #include "coupler/report/comparison.hpp"
 #include "coupler/report/csv_columns.hpp"
 #include "coupler/report/fracture_map.hpp"
+#include "coupler/report/joint_map.hpp"
 #include "coupler/report/principal_stress.hpp"
 #include "coupler/report/stress_crosses.hpp"
+#include "coupler/report/stress_maps.hpp"
 #include "coupler/report/thinning.hpp"
 #include "coupler/report/whole_lines.hpp"
 
@@ -24,6 +26,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t parts_of_a_series = 1000;
 constexpr std::size_t most_maps = 60;
 constexpr int most_crosses = 400;
+constexpr MapSize size_of_stress_maps{12, 36000};
 
 json json_file(const fs::path& file) {
   try {
@@ -88,15 +91,23 @@ json in_situ_axes(const json& run_case) {
           {"angle", principal.angle}};
 }
 
-json stress_of_last_report(FieldReports& reports, const json& run_case) {
-  if (reports.all().empty()) return nullptr;
-  const FieldReport& last = reports.all().back();
-  for (const char* component : {"xx", "yy", "xy"})
-    if (!reports.has(last, std::string("structure/effective_stress_") + component)) return nullptr;
+/// Near the tip, whole fracture, whole domain, at the last report.
+std::vector<View> views_at_the_end(FieldReports& reports, const json& run_case) {
   const double width = run_case.at("domain").at("width"), height = run_case.at("domain").at("height");
   const View domain{"whole domain", -width / 2, width / 2, -height / 2, height / 2};
-  return stress_crosses(reports, last, views_of(reports.of_network(last.revision, "position"), domain),
-                        most_crosses);
+  if (reports.all().empty()) return {domain};
+  return views_of(hydraulic_nodes(reports, reports.all().back().revision), domain);
+}
+
+json stress_of_last_report(FieldReports& reports, const std::vector<View>& views) {
+  if (reports.all().empty() || !has_stress(reports, reports.all().back())) return nullptr;
+  return stress_crosses(reports, reports.all().back(), views, most_crosses);
+}
+
+json meetings_table(const fs::path& file) {
+  if (!fs::exists(file)) return nullptr;
+  const CsvColumns csv(file);
+  return table(csv, evenly_spread(csv.rows(), csv.rows()), {"hydraulic", "natural", "criterion"});
 }
 
 }  // namespace
@@ -122,7 +133,16 @@ json report_data(const fs::path& run_directory) {
   data["classical"] =
       history.rows() == 0 ? json() : classical_curves(run_case, history.numbers("time").back());
   data["map"] = fracture_map(reports, most_maps);
-  data["stress"] = stress_of_last_report(reports, run_case);
+  data["joints"] = joint_map(reports, most_maps);
+  data["meetings"] = meetings_table(run_directory / "meetings.csv");
+  const std::vector<View> views = views_at_the_end(reports, run_case);
+  data["stress"] = stress_of_last_report(reports, views);
+  // The last two views are the whole fracture and the whole domain; without a fracture there is only the
+  // domain.
+  data["least_stress"] =
+      least_stress_map(reports, views[views.size() > 1 ? views.size() - 2 : 0], size_of_stress_maps);
+  data["relative_stress"] =
+      relative_stress_map(reports, run_case.at("in_situ"), views.back(), size_of_stress_maps);
   data["in_situ"] = in_situ_axes(run_case);
   data["case"] = run_case;
   return data;

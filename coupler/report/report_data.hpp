@@ -15,7 +15,10 @@ namespace fissura::coupler {
 ///                   the run is long
 ///   remeshing       the same of remeshing.csv; null if the mesh never changed
 ///   comparison      comparison.hpp; "classical" there, too
-///   map, stress     fracture_map.hpp, stress_crosses.hpp; stress is null where no report has it
+///   map, joints     fracture_map.hpp, joint_map.hpp
+///   meetings        meetings.csv, as remeshing; null if no natural fracture was met
+///   stress          stress_crosses.hpp; null where no report has it
+///   least_stress, relative_stress  stress_maps.hpp: of the whole fracture, and of the whole domain
 ///   in_situ         total principal stresses at the origin, compression positive [Pa]: "greatest", "least",
 ///                   and the "angle" of the greatest, counter-clockwise from x [rad]
 /// Numbers that are not finite are null. Throws Error(precondition) if it is not a run directory, InputError

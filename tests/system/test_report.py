@@ -84,7 +84,7 @@ class Report(unittest.TestCase):
         return data_of(page)
 
     ALWAYS = ("map", "half_length", "inlet_aperture", "inlet_net_pressure", "pumping", "ledger", "residual", "mismatch", "energies",
-              "stress", "interval", "steps", "mass_scale")
+              "least_stress", "relative_stress", "stress", "interval", "steps", "mass_scale")
 
     def test_a_run_with_a_reference_is_drawn_whole(self):
         with Run() as run:

@@ -57,3 +57,19 @@ function figure(grid, id, title, content, caption, source, wide) {
   grid.append(made);
   return made;
 }
+
+// What the address of the page asks for: figure (only this one), time [s] and show (a button) of its picture.
+const asked = new URLSearchParams(window.location.search);
+
+// The button that is pressed first in a figure.
+function chosen(figure, names, otherwise) {
+  return asked.get("figure") === figure && names.includes(asked.get("show")) ? asked.get("show") : otherwise;
+}
+
+// Leaves only the figure that is asked for.
+function showOnly(id) {
+  const wanted = id && document.getElementById(id);
+  if (!wanted) return;
+  document.body.classList.add("only");
+  wanted.classList.add("wanted");
+}

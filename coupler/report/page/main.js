@@ -6,6 +6,7 @@ const last = (column) => (history[column] && history[column].length ? history[co
 const isUsed = (column) => (history[column] || []).some((value) => value !== null && value !== 0);
 const ofHistory = (label, column, colour, more = {}) => ({ label, x: time, y: history[column] || [], colour, ...more });
 const isDry = (data.case.injection.perforations || []).length === 0;
+const hasNaturalFractures = (data.case.fractures || []).some((line) => line.kind === "natural");
 const thinned = data.history.rows > time.length;
 
 function head() {
@@ -128,13 +129,13 @@ function path(grid, x) {
 }
 
 function fluid() {
-  const grid = section("Fluid ledger", "Every litre is booked: injected + in place + reset = in the fractures + leaked + residual."), x = "time [s]";
+  const grid = section("Fluid ledger", "Every litre is booked: injected + in place + found + reset = in the fractures + leaked + residual."), x = "time [s]";
   const booked = (label, column, colour) => ({ label, x: ledger.time, y: ledger[column], colour });
   chart(grid, { id: "ledger", title: "Volumes", x, y: "volume [L]", factor: 1e3,
-    series: [booked("injected", "injected", colours.blue), booked("in the fractures", "in_fractures", colours.teal), booked("leaked", "leaked", colours.orange)]
-      .filter((series) => series.label !== "leaked" || isUsed("leaked")),
+    series: [booked("injected", "injected", colours.blue), booked("in the fractures", "in_fractures", colours.teal), booked("leaked", "leaked", colours.orange),
+      booked("found in natural fractures", "found", colours.plum)].filter((series) => !["leaked", "found in natural fractures"].includes(series.label) || (series.y || []).some((value) => value > 0)),
     caption: "Cumulative volumes of the whole thickness. Without leak-off, what is injected is in the fractures and the two lines lie on each other.",
-    source: "ledger.csv: time, injected, in_fractures, leaked" });
+    source: "ledger.csv: time, injected, in_fractures, leaked, found" });
   chart(grid, { id: "residual", title: "Residual", x, y: "relative residual [\u2013]", logarithmic: true,
     series: [{ label: "residual", x: ledger.time, y: ledger.relative_residual, colour: colours.blue, line: "none", dots: true, marker: 1.5 }],
     caption: "What the ledger cannot account for, over the largest volume that went through it: rounding. Exact zeros cannot be drawn.",
@@ -213,10 +214,16 @@ const result = section("Result", "");
 verdict(result);
 keyFigures(result);
 if (data.map.segments.length > 0) fractureMap(section("Fracture map", ""), data);
+if (hasNaturalFractures) naturalFractures(data, ofHistory);
 growth();
 if (!isDry) fluid();
 if (!isDry) coupling();
 if (data.remeshing && data.remeshing.rows > 0) remeshing();
 energies();
-if (data.stress) stressPicture(section("Stress", ""), data);
+if (data.stress) {
+  const grid = section("Stress", "");
+  stressMaps(grid, data);
+  stressPicture(grid, data);
+}
 stepping();
+showOnly(asked.get("figure"));

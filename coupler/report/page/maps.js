@@ -1,8 +1,11 @@
-// The fracture over time, and the stress around it at the end.
+// The fracture over time, and what all pictures over time share.
 
 const ramp = ["#1b1464", "#5b1a8b", "#9c2a86", "#cf4a66", "#ee7b45", "#f2b134"];
 
-function rampColour(share) {
+// From less over nothing to more.
+const divergingRamp = ["#174a7c", "#3f86b8", "#a3c8de", "#f1f1ee", "#f0b799", "#cf5f4a", "#8e1b2d"];
+
+function rampColour(share, ramp) {
   const at = Math.min(Math.max(share, 0), 1) * (ramp.length - 1), first = Math.min(Math.floor(at), ramp.length - 2);
   const part = (name, digit) => parseInt(name.slice(1 + 2 * digit, 3 + 2 * digit), 16);
   const mixed = [0, 1, 2].map((digit) => Math.round(part(ramp[first], digit) * (1 - at + first) + part(ramp[first + 1], digit) * (at - first)));
@@ -20,6 +23,53 @@ function caseLines(ctx, place, runCase) {
     polyline(ctx, place, line.points);
   }
   ctx.setLineDash([]);
+}
+
+function perforations(ctx, place, runCase) {
+  ctx.strokeStyle = "#22303c";
+  ctx.fillStyle = "#fff";
+  ctx.lineWidth = 1.5;
+  for (const perforation of runCase.injection.perforations || []) {
+    ctx.beginPath();
+    ctx.arc(...place(...perforation.position), 4, 0, 2 * Math.PI);
+    ctx.fill();
+    ctx.stroke();
+  }
+}
+
+// A button, a slider over reports and a label; `changed` is called whenever another report is to be shown. Starts at the last, or at the
+// time that the address of the page asks for. A single report needs no slider.
+function timeControls(reports, label, changed) {
+  let report = reports.length - 1, timer = null;
+  if (asked.has("time"))
+    reports.forEach((candidate, number) => {
+      if (Math.abs(candidate.time - asked.get("time")) < Math.abs(reports[report].time - asked.get("time"))) report = number;
+    });
+  const slider = element("input", { type: "range", min: 0, max: reports.length - 1, value: report, "aria-label": "time" });
+  const time = element("span", { class: "value" }, label(reports[report])), play = element("button", { type: "button" }, "Play");
+  const go = (number) => {
+    report = number;
+    slider.value = report;
+    time.textContent = label(reports[report]);
+    changed();
+  };
+  slider.addEventListener("input", () => go(Number(slider.value)));
+  play.addEventListener("click", () => {
+    if (timer === null) timer = setInterval(() => go((report + 1) % reports.length), 250);
+    else timer = clearInterval(timer) || null;
+    play.textContent = timer === null ? "Play" : "Stop";
+  });
+  return { elements: reports.length > 1 ? [play, slider, time] : [time], report: () => report };
+}
+
+// Radio buttons for one choice; `changed` is called with the name chosen.
+function radioButtons(group, names, label, selected, changed) {
+  return names.map((name) => {
+    const button = element("input", { type: "radio", name: group, value: name });
+    button.checked = name === selected;
+    button.addEventListener("change", () => changed(name));
+    return element("label", {}, button, " " + label(name));
+  });
 }
 
 function boxAround(x, y, domain) {
@@ -46,44 +96,31 @@ function range(reports, field) {
 function fractureMap(grid, data) {
   const { nodes, segments, reports } = data.map;
   if (segments.length === 0) return;
-  const state = { report: reports.length - 1, field: "aperture" };
+  const state = { field: chosen("map", Object.keys(mapFields), "aperture") };
   const ranges = { aperture: range(reports, "aperture"), pressure: range(reports, "pressure") };
   const box = boxAround(nodes.x, nodes.y, data.case.domain);
   const draw = (ctx, place) => {
     caseLines(ctx, place, data.case);
-    const values = reports[state.report][state.field], [low, high] = ranges[state.field];
+    const report = controls.report(), values = reports[report][state.field], [low, high] = ranges[state.field];
     for (const [first, second, since] of segments) {
-      const here = since <= state.report && values[first] !== null && values[first] !== undefined;
-      ctx.strokeStyle = here ? rampColour(((values[first] + values[second]) / 2 - low) / (high - low)) : "#dfe5ea";
+      const here = since <= report && values[first] !== null && values[first] !== undefined;
+      ctx.strokeStyle = here ? rampColour(((values[first] + values[second]) / 2 - low) / (high - low), ramp) : "#dfe5ea";
       ctx.lineWidth = here ? 5 : 2;
       ctx.lineCap = "round";
       polyline(ctx, place, [[nodes.x[first], nodes.y[first]], [nodes.x[second], nodes.y[second]]]);
     }
-    ctx.strokeStyle = "#22303c";
-    ctx.fillStyle = "#fff";
-    ctx.lineWidth = 1.5;
-    for (const perforation of data.case.injection.perforations || []) {
-      ctx.beginPath();
-      ctx.arc(...place(...perforation.position), 4, 0, 2 * Math.PI);
-      ctx.fill();
-      ctx.stroke();
-    }
+    perforations(ctx, place, data.case);
   };
 
-  const slider = element("input", { type: "range", min: 0, max: reports.length - 1, value: state.report, "aria-label": "time" });
-  const time = element("span", { class: "value" }), play = element("button", { type: "button" }, "Play");
+  const controls = timeControls(reports, (report) => `t = ${shown(report.time)} s, revision ${report.revision}`, () => refresh());
   const low = element("span", {}), high = element("span", {}), bar = element("span", { class: "bar" });
   bar.style.background = `linear-gradient(to right, ${ramp.join(",")})`;
-  const choices = Object.entries(mapFields).map(([name, field]) => {
-    const button = element("input", { type: "radio", name: "map-field", value: name });
-    button.checked = name === state.field;
-    button.addEventListener("change", () => { state.field = name; refresh(); });
-    return element("label", {}, button, " " + field.label);
-  });
+  const choices = radioButtons("map-field", Object.keys(mapFields), (name) => mapFields[name].label, state.field,
+    (name) => { state.field = name; refresh(); });
   const plot = element("div", { class: "plot" });
   const aspect = (box[3] - box[2]) / (box[1] - box[0]);
   plot.style.height = Math.min(680, Math.max(250, 950 * aspect + 60)) + "px";
-  figure(grid, "map", "Fracture", [element("div", { class: "controls" }, play, slider, time, ...choices), plot,
+  figure(grid, "map", "Fracture", [element("div", { class: "controls" }, ...controls.elements, ...choices), plot,
     element("div", { class: "scale" }, low, bar, high)],
     "The fracture network at the field reports of the run; equal scales. Light grey: where it will be at the last report; thin lines: slits, "
     + "natural fractures and (dashed) prescribed paths of the case; circle: perforation. The arrows are the in-situ principal stresses.",
@@ -91,77 +128,11 @@ function fractureMap(grid, data) {
   const picture = plane(plot, box, data.in_situ, draw, "Fracture map");
 
   function refresh() {
-    const report = reports[state.report], field = mapFields[state.field], [least, most] = ranges[state.field];
-    time.textContent = `t = ${shown(report.time)} s, revision ${report.revision}`;
+    const field = mapFields[state.field], [least, most] = ranges[state.field];
     const [below, above] = state.field === "pressure" ? ["\u2264 ", "\u2265 "] : ["", ""];
     low.textContent = `${field.label} ${below}${shown(least * field.factor, 4)} ${field.unit}`;
     high.textContent = `${above}${shown(most * field.factor, 4)} ${field.unit}`;
-    slider.value = state.report;
     picture.redraw();
   }
-  slider.addEventListener("input", () => { state.report = Number(slider.value); refresh(); });
-  let timer = null;
-  play.addEventListener("click", () => {
-    if (timer !== null) {
-      clearInterval(timer);
-      timer = null;
-      play.textContent = "Play";
-      return;
-    }
-    play.textContent = "Stop";
-    timer = setInterval(() => { state.report = (state.report + 1) % reports.length; refresh(); }, 250);
-  });
   refresh();
-}
-
-function drawCross(ctx, [x, y], angle, half) {
-  const across = half * Math.cos(angle), up = half * Math.sin(angle);
-  ctx.beginPath();
-  ctx.moveTo(x - across, y + up);
-  ctx.lineTo(x + across, y - up);
-  ctx.stroke();
-}
-
-function stressPicture(grid, data) {
-  if (!data.stress) return;
-  const views = data.stress.views, reports = data.map.reports, last = reports[reports.length - 1];
-  const state = { view: views[Math.max(0, views.length - 2)] };
-  const draw = (ctx, place) => {
-    const { box, x, y, angle, greatest, least } = state.view;
-    const [left] = place(box[0], 0), [right] = place(box[1], 0);
-    const cell = (right - left) * Math.sqrt((box[3] - box[2]) / (box[1] - box[0]) / 400);
-    ctx.strokeStyle = "#22303c";
-    ctx.lineWidth = 3;
-    for (const [first, second] of data.map.segments)
-      polyline(ctx, place, [[data.map.nodes.x[first], data.map.nodes.y[first]], [data.map.nodes.x[second], data.map.nodes.y[second]]]);
-    for (let number = 0; number < x.length; ++number) {
-      const middle = place(x[number], y[number]), largest = Math.max(Math.abs(greatest[number]), Math.abs(least[number]));
-      const stroke = (value) => (value > 0 ? "#c0392b" : "#2b6ca3");
-      ctx.lineWidth = 1.4;
-      if (Math.abs(greatest[number] - least[number]) < 0.005 * largest) {
-        ctx.fillStyle = "#9fb0be";
-        ctx.fillRect(middle[0] - 1.5, middle[1] - 1.5, 3, 3);
-        continue;
-      }
-      ctx.strokeStyle = stroke(greatest[number]);
-      drawCross(ctx, middle, angle[number], 0.42 * cell);
-      ctx.strokeStyle = stroke(least[number]);
-      drawCross(ctx, middle, angle[number] + Math.PI / 2, 0.2 * cell);
-    }
-  };
-  const plot = element("div", { class: "plot" });
-  plot.style.height = "640px";
-  const choices = views.map((view) => {
-    const button = element("input", { type: "radio", name: "stress-view", value: view.name });
-    button.checked = view === state.view;
-    button.addEventListener("change", () => { state.view = view; picture.show(view.box); });
-    return element("label", {}, button, " " + view.name);
-  });
-  figure(grid, "stress", `Principal stress directions at t = ${shown(data.stress.time)} s`,
-    [element("div", { class: "controls" }, ...choices), plot],
-    "Principal effective stresses of single elements. The long stroke lies along the greatest compression, the short one along the least; "
-    + "red: tension. A dot stands where the two differ by less than 0.5 %, so that there is no direction. "
-    + (last ? "Dark line: the fracture." : ""),
-    "segments/*.h5: reports/*/structure/effective_stress_xx, yy, xy", true);
-  const picture = plane(plot, state.view.box, data.in_situ, draw, "Principal stress directions");
 }

@@ -21,9 +21,9 @@ function equalise(made, box) {
   };
 }
 
-// plane(plot, box, inSitu, draw, label): draw(context, place) with place(x, y) -> [pixel, pixel]; beside it the in-situ stresses. Returns
-// { show(box), redraw() }.
-function plane(plot, box, inSitu, draw, label) {
+// plane(plot, box, inSitu, draw, label, bar): draw(context, place) with place(x, y) -> [pixel, pixel]; beside it the in-situ stresses
+// and, if bar() gives one, a colour bar. Returns { show(box), redraw() }.
+function plane(plot, box, inSitu, draw, label, bar) {
   const canvas = element("canvas", { role: "img", "aria-label": label });
   plot.append(canvas);
   let shownBox = box, settling = false;
@@ -56,6 +56,7 @@ function plane(plot, box, inSitu, draw, label) {
         const { ctx, chartArea, scales } = drawn;
         ctx.save();
         inSituAxes(ctx, chartArea, inSitu);
+        if (bar && bar()) colourBar(ctx, chartArea, bar());
         ctx.beginPath();
         ctx.rect(chartArea.left, chartArea.top, chartArea.width, chartArea.height);
         ctx.clip();
@@ -105,4 +106,38 @@ function inSituAxes(ctx, area, inSitu) {
   const isotropic = Math.abs(inSitu.greatest - inSitu.least) < 1e-9 * Math.abs(inSitu.greatest);
   ctx.fillText(isotropic ? "in situ, isotropic" : "in situ, total", x, y + 66);
   ctx.fillText(isotropic ? `${shown(inSitu.greatest / 1e6)} MPa` : `${shown(inSitu.greatest / 1e6)} and ${shown(inSitu.least / 1e6)} MPa`, x, y + 82);
+}
+
+// To the right of a picture, below the in-situ stresses: { title, unit, low, high, colour(share) }, or { title, marks: [[colour, text], ...] }.
+function colourBar(ctx, area, bar) {
+  const left = area.right + 24, top = area.top + 210, width = 16, height = Math.max(60, Math.min(260, area.bottom - top));
+  ctx.font = "12px " + Chart.defaults.font.family;
+  ctx.fillStyle = "#4b5965";
+  ctx.textAlign = "left";
+  bar.title.split("\n").forEach((line, number, lines) => ctx.fillText(line, left, top - 12 - 15 * (lines.length - 1 - number)));
+  if (bar.marks) {
+    bar.marks.forEach(([colour, text], number) => {
+      ctx.fillStyle = colour;
+      ctx.fillRect(left, top + 4 + 20 * number, width, 5);
+      ctx.fillStyle = "#4b5965";
+      ctx.fillText(text, left + width + 7, top + 11 + 20 * number);
+    });
+    return;
+  }
+  for (let line = 0; line < height; ++line) {
+    ctx.fillStyle = bar.colour(1 - line / (height - 1));
+    ctx.fillRect(left, top + line, width, 1.5);
+  }
+  ctx.strokeStyle = ctx.fillStyle = "#4b5965";
+  ctx.lineWidth = 1;
+  ctx.strokeRect(left, top, width, height);
+  const step = niceStep(bar.high - bar.low, 6);
+  for (let number = Math.ceil(bar.low / step - 1e-9); number * step <= bar.high + 1e-9 * step; ++number) {
+    const at = top + (height * (bar.high - number * step)) / (bar.high - bar.low);
+    ctx.beginPath();
+    ctx.moveTo(left + width, at);
+    ctx.lineTo(left + width + 4, at);
+    ctx.stroke();
+    ctx.fillText(shown(Number((number * step).toPrecision(8)), 6), left + width + 7, at + 4);
+  }
 }

@@ -42,6 +42,57 @@ Message network_fields(const FractureNetwork& network) {
   return fields;
 }
 
+FractureNetwork joined_network() {
+  Insertion joining;
+  joining.revision = 2;
+  joining.updated_nodes = {{13, 2, 0, 1.5, 1, NodeRole::junction, 0.5}};
+  joining.new_nodes = {{14, 2, 1, 0.5, 2, NodeRole::tip, 1.5}};
+  joining.new_segments = {{23, 13, 14, 2, SegmentKind::natural, 1.0}};
+  FractureNetwork result = sample::grown_network();
+  result.apply(joining);
+  return result;
+}
+
+Message with_joints(Message fields) {
+  fields.add("joint_position", "m", std::vector<double>{2, 0, 2, 1, 2, -1, 0, 0}, 4, 2);
+  fields.add("joint_normal", "1", std::vector<double>{1, 0, 1, 0, 1, 0, 0, 1}, 4, 2);
+  fields.add_bytes("joint_kind",
+                   std::vector<std::byte>{std::byte{1}, std::byte{1}, std::byte{1}, std::byte{0}});
+  fields.add_ids("joint_line", std::vector<std::uint64_t>{1, 1, 1, 0});
+  fields.add("joint_slip", "m", std::vector<double>{-2.5e-4, 1e-5, 0, 1e-3});
+  fields.add("joint_opening", "m", std::vector<double>{3e-5, 0, 0, 1e-3});
+  fields.add_bytes("joint_wetted",
+                   std::vector<std::byte>{std::byte{1}, std::byte{0}, std::byte{0}, std::byte{1}});
+  return fields;
+}
+
+void write_with_natural_fracture(const std::filesystem::path& directory) {
+  RunDescription description;
+  description.title = "one natural fracture";
+  description.effective_case = effective_case();
+  description.effective_case["fractures"] = {
+      {{"name", "slit"}, {"kind", "open"}, {"points", {{-1.0, 0.0}, {1.0, 0.0}}}},
+      {{"name", "nf"}, {"kind", "natural"}, {"points", {{2.0, -1.0}, {2.0, 1.0}}}}};
+  RunRecord record(directory, 1);
+  record.begin(description);
+  const FractureNetwork first = sample::network(), joined = joined_network();
+  record.interval(sample::interval(1, 0.5), {});
+  record.fields(0.5, structure_fields(), network_fields(first), first, {});
+  const Meeting meeting{.time = 0.5,
+                        .x = 2,
+                        .hydraulic = "slit",
+                        .natural = "nf",
+                        .friction = 0.6,
+                        .criterion = "renshaw_pollard",
+                        .critical_friction = 0.375,
+                        .crosses = true};
+  record.meetings(joined, {meeting});
+  record.interval(sample::interval(2, 1.0), {});
+  record.fields(1.0, with_joints(sample::without_mesh(structure_fields())), network_fields(joined), joined,
+                {});
+  record.close();
+}
+
 void write(const std::filesystem::path& directory, Comparison comparison) {
   RunDescription description;
   description.run_id = "0123";

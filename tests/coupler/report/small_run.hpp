@@ -19,6 +19,10 @@ nlohmann::json effective_case();
 enum class Comparison { none, reference };
 void write(const std::filesystem::path& directory, Comparison comparison);
 
+/// Another run of two reports: at the second, the fracture has met a natural one of three contact units, of
+/// which one is at rest, at (2, 0) m.
+void write_with_natural_fracture(const std::filesystem::path& directory);
+
 /// FIELDS of the structure: two elements under 15 and 10 MPa.
 Message structure_fields();
 /// FIELDS of the flow solver: aperture i * 0.1 mm and pressure i MPa of the i-th node, from 1.

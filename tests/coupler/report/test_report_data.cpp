@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <fstream>
 
 #include "common/errors.hpp"
@@ -102,4 +103,50 @@ TEST_CASE("another directory and a damaged segment are errors, not empty reports
   small_run::write(folder.path() / "run", small_run::Comparison::none);
   std::filesystem::resize_file(folder.path() / "run" / "segments" / "000002.h5", 100);
   CHECK_THROWS_AS(report_data(folder.path() / "run"), StorageError);
+}
+
+TEST_CASE("natural fractures are shown where anything has happened on them", "[coupler][report]") {
+  const sample::TemporaryDirectory folder;
+  small_run::write_with_natural_fracture(folder.path() / "run");
+  const nlohmann::json data = report_data(folder.path() / "run");
+  const nlohmann::json& units = data["joints"]["units"];
+  CHECK(units["x"] == nlohmann::json({2.0, 2.0}));
+  CHECK(units["y"] == nlohmann::json({0.0, 1.0}));
+  // A right angle of five digits.
+  CHECK(std::abs(std::cos(units["angle"][0].get<double>())) < 1e-5);
+  CHECK(units["half"] == nlohmann::json({0.5, 0.5}));
+  REQUIRE(data["joints"]["reports"].size() == 1);
+  const nlohmann::json& report = data["joints"]["reports"][0];
+  CHECK(report["time"] == 1.0);
+  CHECK(report["unit"] == nlohmann::json({0, 1}));
+  CHECK(report["slip"] == nlohmann::json({-2.5e-4, 1e-5}));
+  CHECK(report["wetted"] == nlohmann::json({1, 0}));
+  CHECK(report["open"] == nlohmann::json({1, 0}));
+  CHECK(data["map"]["kinds"] == nlohmann::json({0, 0, 0, 1}));
+  CHECK(data["meetings"]["columns"]["natural"] == nlohmann::json({"nf"}));
+  CHECK(data["meetings"]["columns"]["crosses"] == nlohmann::json({1.0}));
+}
+
+TEST_CASE("a run whose structure tells nothing of contact units is shown without them", "[coupler][report]") {
+  const sample::TemporaryDirectory folder;
+  small_run::write(folder.path() / "run", small_run::Comparison::none);
+  const nlohmann::json data = report_data(folder.path() / "run");
+  CHECK(data["joints"].is_null());
+  CHECK(data["meetings"].is_null());
+}
+
+TEST_CASE("the maps of stress fill the fracture and the domain at every report", "[coupler][report]") {
+  const sample::TemporaryDirectory folder;
+  small_run::write(folder.path() / "run", small_run::Comparison::none);
+  const nlohmann::json data = report_data(folder.path() / "run");
+  const nlohmann::json &least = data["least_stress"], &relative = data["relative_stress"];
+  REQUIRE(least["reports"].size() == 2);
+  CHECK(relative["box"] == nlohmann::json({-2.0, 2.0, -1.0, 1.0}));
+  // Stress as in situ, so that the ratio is 1 in the middle of its scale; -10 MPa is in the middle of the
+  // other one.
+  CHECK(relative["low"].get<double>() + relative["high"].get<double>() == Approx(2));
+  CHECK(least["low"].get<double>() < -10e6);
+  CHECK(least["high"].get<double>() > -10e6);
+  const std::size_t cells = relative["columns"].get<std::size_t>() * relative["rows"].get<std::size_t>();
+  CHECK(relative["reports"][1]["values"].get<std::string>().size() == (cells + 2) / 3 * 4);
 }
