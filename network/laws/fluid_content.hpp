@@ -14,7 +14,7 @@ enum class Faces : std::uint8_t { separated = 0, in_contact = 1 };
 inline constexpr double pressure_scale = 1e6;
 
 /// Hydraulic opening of the rough faces of a joint under the fluid, which the rock around does not feel
-/// (Bandis et al. 1983, linear; Rutqvist and Stephansson 2003):
+/// (Bandis et al. 1983, linear):
 ///   j(p) = c_s (min(p, p_c) - p_0)                     [m]
 /// It ends where the contact carries nothing any more, p = p_c, and stays when the faces part.
 struct JointLaw {

@@ -77,8 +77,8 @@ class FlowSolver:
         self.thickness, self.well_index = case["domain"]["thickness"], case["injection"]["well_index"]
         self.controls, self.floor = case["network"], case["network"]["minimum_aperture"]
         self.nodes, self.segments, self.place, self.wells, self.revision = [], [], {}, [], 0
-        self.content, self.pressure, self.filled = [], [], []
-        self.injected, self.in_place, self.iterations = 0.0, None, 0
+        self.content, self.pressure, self.filled, self.contact, self.joining = [], [], [], [], []
+        self.injected, self.in_place, self.found, self.iterations = 0.0, None, 0.0, 0
 
     def insert(self, change):
         for node in change["updated_nodes"]:
@@ -88,9 +88,15 @@ class FlowSolver:
         for values in (self.content, self.pressure, self.filled):
             values += [0.0] * len(change["new_nodes"])
         self.nodes += change["new_nodes"]
+        self.contact += [node.get("formation_pressure", 0.0) for node in change["new_nodes"]]
+        self.joining += [node.get("saturated", False) for node in change["new_nodes"]]
         self.place = {node["id"]: i for i, node in enumerate(self.nodes)}
         self.segments = [s for s in self.segments if s["id"] not in change["removed_segments"]] + change["new_segments"]
         self.wells += [self.place[perforation["node"]] for perforation in change["new_perforations"]]
+        self.natural = [0.0] * len(self.nodes)
+        for s in (s for s in self.segments if s["kind"] == 1):
+            for end in (self.place[s["node_a"]], self.place[s["node_b"]]):
+                self.natural[end] += s["length"] / 2
         self.revision = change["revision"]
         text = struct.pack("<Q", self.revision)
         for layout, keys, entries in (("<QdddQQ", "id x y lumped_length fracture role", self.nodes),
@@ -98,11 +104,21 @@ class FlowSolver:
             text += b"".join(struct.pack(layout, *(entry[key] for key in keys.split())) for entry in entries)
         return hashlib.sha256(text).hexdigest()
 
+    def joint(self, i, p):
+        """What a touching joint opens by itself, and its slope."""
+        compliance, origin = (self.nodes[i].get(key, 0.0) for key in ("joint_compliance", "formation_pressure"))
+        return compliance * (min(p, self.contact[i]) - origin), compliance * (p < self.contact[i])
+
+    def predicted(self, i, p, a):
+        """What the structure will make of p, and its slope."""
+        slope = a["compliance"][i] * (not (a["closed"][i] and p < a["reference_pressure"][i]))
+        e = a["aperture"][i] + slope * (p - a["reference_pressure"][i])
+        return (e, slope) if e >= 0 else (0.0, 0.0)
+
     def node(self, i, u, a):
         """p, dp/du, e, m, dm/du of one node."""
-        p, slope = max(u, 0.0) * MEGAPASCAL, a["compliance"][i]
-        slope *= not (a["closed"][i] and p < a["reference_pressure"][i])
-        e = a["aperture"][i] + slope * (p - a["reference_pressure"][i])
+        p = max(u, 0.0) * MEGAPASCAL
+        e, slope = map(sum, zip(self.predicted(i, p, a), self.joint(i, p)))
         e, slope = (e, slope) if e >= 0 else (0.0, 0.0)
         if u < 0:
             return 0.0, 0.0, e, e + u * max(e, self.floor), max(e, self.floor)
@@ -110,12 +126,19 @@ class FlowSolver:
         steepness = slope * (1 + compression) + (e + film) / self.fluid["bulk_modulus"]
         return p, MEGAPASCAL, e, e * (1 + compression), MEGAPASCAL * steepness
 
+    def arm(self, k, i, end, a):
+        """Aperture of segment k at its end in node i, where natural arms share the joint's opening."""
+        e = a["arm_aperture_" + end][k] if "arm_aperture_a" in a else a["aperture"][i]
+        if self.segments[k]["kind"] == 1:
+            e += self.joint(i, self.pressure[i])[0] * self.nodes[i]["lumped_length"] / self.natural[i]
+        return max(e, self.floor)
+
     def solve(self, a, duration, injected):
         """Newton on u: pressure where positive, missing content where negative."""
         n, length, edges = len(self.nodes), [node["lumped_length"] for node in self.nodes], []
-        for s in self.segments:
+        for k, s in enumerate(self.segments):
             i, j = self.place[s["node_a"]], self.place[s["node_b"]]
-            e = 0.5 * (max(a["aperture"][i], self.floor) + max(a["aperture"][j], self.floor))
+            e = 0.5 * (self.arm(k, i, "a", a) + self.arm(k, j, "b", a))
             edges.append((i, j, duration * e ** 3 / (12 * self.fluid["consistency_index"] * s["length"])))
         u = [p / MEGAPASCAL if f >= 1 else -NUDGE for p, f in zip(self.pressure, self.filled)]
         for iteration in range(self.controls["maximum_iterations"] + 1):
@@ -143,9 +166,19 @@ class FlowSolver:
     def advance(self, body, a):
         stored = lambda: sum(node["lumped_length"] * m for node, m in zip(self.nodes, self.content))
         if body["carry"] != "content": raise Refusal(10, "flow_solver.py carries the content only")
-        if self.in_place is None:
+        begun = self.in_place is not None
+        if not begun:
             self.content, self.filled = list(a["aperture"]), [float(e > 0) for e in a["aperture"]]
-            self.in_place = stored()
+        before = stored()
+        for i in [i for i, joins in enumerate(self.joining) if joins]:  # full of pore fluid
+            p = self.nodes[i]["formation_pressure"]
+            self.content[i] = a["aperture"][i] * (1 + p / self.fluid["bulk_modulus"])
+            self.pressure[i], self.filled[i], self.joining[i] = p, 1.0, False
+        self.found += (stored() - before) * begun
+        self.in_place = self.in_place if begun else stored()
+        for i, p in enumerate(self.pressure):
+            if a["closed"][i] and p <= self.contact[i]:
+                self.contact[i] = max(a["reference_pressure"][i], p)
         # Per unit thickness; the coupler ends its intervals at changes of the schedule.
         rate = [stage["rate"] for stage in self.stages if stage["begin"] <= body["begin"]][-1] / self.thickness
         duration = body["end"] - body["begin"]
@@ -155,13 +188,13 @@ class FlowSolver:
             part = min(max(self.content[i] / e, 0.0), 1 - 1e-15) if e > 0 else 0.0
             self.pressure[i], self.filled[i] = p, 1.0 if u[i] >= 0 else part
         self.injected, self.iterations = self.injected + rate * duration, self.iterations + iterations
-        volumes = [self.thickness * v for v in (self.injected, self.in_place, stored())]
-        ledger = dict(zip(("injected", "in_place", "in_fractures"), volumes), leaked=0.0, reset=0.0,
-                      residual=volumes[0] + volumes[1] - volumes[2])
+        volumes = [self.thickness * v for v in (self.injected, self.in_place, self.found, stored())]
+        ledger = dict(zip(("injected", "in_place", "found", "in_fractures"), volumes), leaked=0.0, reset=0.0,
+                      residual=sum(volumes[:3]) - volumes[3])
         newton = dict(converged=True, iterations=iterations, residual=residual, halvings=0)
         answer = dict(ledger=ledger, rate=rate * self.thickness, newton=newton,
                       well_pressure=self.pressure[self.wells[0]] + rate / self.well_index)
-        predicted = ("aperture_predicted", "m", [state[2] for state in now])
+        predicted = ("aperture_predicted", "m", [self.predicted(i, p, a)[0] for i, p in enumerate(self.pressure)])
         return answer, [("pressure", "Pa", self.pressure), predicted, ("filled", "1", self.filled)]
 
 
