@@ -140,6 +140,23 @@ class Inspection {
                         apart,
                         {{places_[i - 1].along - same, one.along + same}}};
     }
+    return wedge(same);
+  }
+
+  /// A meeting with one line that lies near another that the trace also meets, in the wedge between the two.
+  [[nodiscard]] std::optional<Conflict> wedge(double same) const {
+    for (const Place& one : places_)
+      for (const Place& other : places_) {
+        if (std::abs(one.along - other.along) <= same) continue;
+        const TraceNetwork::Line& line = network_.line(other.line);
+        const double apart = distance(one.at, line.segment);
+        if (apart >= limits_.gap(std::min(line.size, limits_.natural_size))) continue;
+        return Conflict{Conflict::Kind::near,
+                        other.line,
+                        one.at,
+                        apart,
+                        {{std::min(one.along, other.along) - same, std::max(one.along, other.along) + same}}};
+      }
     return {};
   }
 
