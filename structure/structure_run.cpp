@@ -9,6 +9,7 @@
 #include "common/errors.hpp"
 #include "common/exchange/participant.hpp"
 #include "structure/dynamics/energy.hpp"
+#include "structure/joints/sliding_limit.hpp"
 
 namespace fissura::structure {
 
@@ -39,7 +40,8 @@ StructureRun::StructureRun(const StructureModel& model, const Geometry& geometry
     : model_(model),
       geometry_(geometry),
       dynamics_(dynamics_of(model, geometry)),
-      joints_(geometry.mesh, geometry.joint_nodes, model.threads) {}
+      joints_(geometry.mesh, geometry.joint_nodes, model.threads),
+      sliding_limits_(sliding_limits(geometry.mesh)) {}
 
 std::uint64_t StructureRun::advance(double begin, double end, StructureState& state) {
   const auto steps =
@@ -61,6 +63,7 @@ std::uint64_t StructureRun::advance(double begin, double end, StructureState& st
   }
   kinetic_energy_ = structure::kinetic_energy(geometry_.body, state.body.velocity, step.mass_scale);
   require_finite(kinetic_energy_, end);
+  require_facing_pairs(geometry_.mesh, state.joints, sliding_limits_);
   return steps;
 }
 

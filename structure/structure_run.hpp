@@ -24,7 +24,7 @@ class StructureRun {
 
   /// Advances `state` from `begin` to `end` [s] under the pressure ramps set in its joints.
   /// @returns number of explicit steps
-  /// Throws SolverError if the motion is no longer finite.
+  /// Throws SolverError if the motion is no longer finite, or faces have slid so far that they no longer face each other.
   std::uint64_t advance(double begin, double end, StructureState& state);
 
   /// At the end of the last advance, with the scaled mass, per unit thickness [J/m].
@@ -37,6 +37,7 @@ class StructureRun {
   const Geometry& geometry_;
   CentralDifference dynamics_;
   JointStep joints_;
+  std::vector<double> sliding_limits_;  ///< of every unit [m]
   LoopTimes loop_times_;
   double kinetic_energy_ = 0;
 };

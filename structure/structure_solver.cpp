@@ -24,6 +24,8 @@ namespace {
 
 constexpr double tip_sizes_far_away = 10;  // from which on a slip counts as far from the hydraulic fracture
 
+constexpr double reported_slip = 1e-6;  // before time 0 [m]
+
 }  // namespace
 
 void StructureSolver::join(const Assignment& assignment) {
@@ -37,10 +39,20 @@ void StructureSolver::join(const Assignment& assignment) {
   run_ = std::make_unique<StructureRun>(*model_, geometry_);
   if (model_->run_case.bulk_failure.active && model_->run_case.growth.tip == TipRule::damage)
     failing_tips_.emplace(*model_);
+  begin_motion();
   protect_tips();
   setup_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   log::info(
       fmt::format("{} elements, {} nodes", geometry_.mesh.elements.size(), geometry_.mesh.position.size()));
+}
+
+void StructureSolver::begin_motion() {
+  if (model_->run_case.dynamics.equilibrate) equilibration_ = come_to_rest(*model_, geometry_, *state_);
+  start_motion(*model_, geometry_, *state_);
+  if (equilibration_.greatest_slip > reported_slip)
+    log::info(fmt::format(
+        "before time 0 natural fracture '{}' slid by {:.3g} m until it rested; slip counts from there",
+        equilibration_.fracture, equilibration_.greatest_slip));
 }
 
 Insertion StructureSolver::first_topology() {
@@ -150,6 +162,8 @@ nlohmann::json StructureSolver::finish() {
   return {{"elements", geometry_.mesh.elements.size()},
           {"nodes", geometry_.mesh.position.size()},
           {"explicit_steps", steps_},
+          {"equilibration_steps", equilibration_.steps},
+          {"equilibration_slip", equilibration_.greatest_slip},
           {"setup_seconds", setup_seconds_},
           {"element_seconds", times.elements},
           {"joint_seconds", times.joints}};
@@ -158,9 +172,9 @@ nlohmann::json StructureSolver::finish() {
 nlohmann::json StructureSolver::natural_fractures_json() const {
   const double far = tip_sizes_far_away * model_->run_case.mesh.tip_size;
   const NaturalFigures figures = natural_figures(geometry_.mesh, state_->joints, geometry_.network, far);
-  return {{"greatest_slip", figures.greatest_slip},   {"slipped_length", figures.slipped_length},
-          {"opened_length", figures.opened_length},   {"wetted_length", figures.wetted_length},
-          {"slip_distance", figures.slip_distance},   {"greatest_far_slip", figures.greatest_far_slip}};
+  return {{"greatest_slip", figures.greatest_slip}, {"slipped_length", figures.slipped_length},
+          {"opened_length", figures.opened_length}, {"wetted_length", figures.wetted_length},
+          {"slip_distance", figures.slip_distance}, {"greatest_far_slip", figures.greatest_far_slip}};
 }
 
 void StructureSolver::set_ramps_of(const Message& command) {

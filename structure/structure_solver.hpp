@@ -7,6 +7,7 @@
 #include "common/exchange/participant.hpp"
 #include "structure/fracture/failing_tips.hpp"
 #include "structure/fracture/growth.hpp"
+#include "structure/initial_motion.hpp"
 #include "structure/structure_probes.hpp"
 #include "structure/structure_run.hpp"
 
@@ -26,6 +27,7 @@ class StructureSolver : public Solver {
   nlohmann::json finish() override;
 
  private:
+  void begin_motion();
   [[nodiscard]] nlohmann::json natural_fractures_json() const;
   void set_ramps_of(const Message& command);
   std::optional<Insertion> propose_growth();
@@ -47,6 +49,7 @@ class StructureSolver : public Solver {
   std::uint64_t steps_ = 0;                      ///< explicit steps so far
   std::vector<Insertion> insertions_;            ///< all so far, from revision 0
   std::optional<std::uint64_t> reported_geometry_;
+  Equilibration equilibration_;
   double setup_seconds_ = 0;                     ///< wall time of meshing and set-up
 };
 

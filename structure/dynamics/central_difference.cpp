@@ -20,7 +20,8 @@ std::array<double, 2> sum_slots(const NodeSlots& nodes, std::size_t i,
 }
 
 double reached_fraction(const PrescribedNode& prescribed, double time) {
-  return time < prescribed.ramp ? std::max(time, 0.0) / prescribed.ramp : 1;
+  if (time < 0) return 0;
+  return time < prescribed.ramp ? time / prescribed.ramp : 1;
 }
 
 void prescribe(const PrescribedNode& prescribed, const Step& step, State& state) {

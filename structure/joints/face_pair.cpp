@@ -7,6 +7,8 @@ namespace fissura::structure {
 
 namespace {
 
+constexpr double fastest_rise = 1.1;  // of what the present sliding asks for: makes up for steps before a stop
+
 double damped(double force, double velocity, double lambda) {
   if (velocity == 0) return force;
   return force - lambda * std::abs(force) * (velocity > 0 ? 1.0 : -1.0);
@@ -52,7 +54,7 @@ double dilation_rise(const JointProperties& properties, const JointState& state,
                      double step) {
   if (properties.dilation == 0) return 0;
   const double due = properties.dilation * std::min(state.slip, properties.dilation_slip) - state.dilation;
-  return std::clamp(due, 0.0, properties.dilation * std::abs(sliding_velocity) * step);
+  return std::clamp(due, 0.0, fastest_rise * properties.dilation * std::abs(sliding_velocity) * step);
 }
 
 double aperture(const JointProperties& properties, const JointState& state) {

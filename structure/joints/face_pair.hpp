@@ -77,12 +77,12 @@ inline bool touching(const JointState& state) {
   return gap(state) <= contact_tolerance;
 }
 
-/// By how much touching faces rise in a step, because they ride up each other's asperities (Patton 1966;
-/// Barton, Bandis & Bakhtar 1985):
+/// By how much touching faces rise in a step, because they ride up each other's asperities (Patton 1966; Barton,
+/// Bandis & Bakhtar 1985):
 ///   dilation = tan(psi) min(slip, dilation_slip)
-/// one step behind the slip, and no faster than tan(psi) times the present speed of sliding: the relative
-/// velocity of the faces follows that of the sliding, so that the impulse that parts them is at most tan(psi)
-/// times the one that makes them slide. [m]
+/// one step behind the slip, and hardly faster (by a tenth) than tan(psi) times the present speed of sliding:
+/// the relative velocity of the faces follows that of the sliding, so that the impulse that parts them is about
+/// tan(psi) times the one that makes them slide. [m]
 double dilation_rise(const JointProperties& properties, const JointState& state, double sliding_velocity,
                      double step);
 

@@ -13,6 +13,7 @@ namespace fissura::structure {
 namespace {
 
 double arm_aperture(const Joints& joints, UnitIndex unit) {
+  if (unit == no_unit) return 0;
   return aperture(joints.properties[unit], joints.state[unit]);
 }
 
