@@ -6,7 +6,7 @@ namespace fissura::coupler {
 double marked_half_length(const FractureNetwork& network, const std::vector<double>& marked) {
   double trace = 0;
   for (const NetworkSegment& segment : network.segments())
-    if (marked[network.index_of(segment.node_a)] > 0 && marked[network.index_of(segment.node_b)] > 0)
+    if (segment.kind == SegmentKind::hydraulic && marked[network.index_of(segment.node_a)] > 0 && marked[network.index_of(segment.node_b)] > 0)
       trace += segment.length;
   return trace / 2;
 }

@@ -12,7 +12,7 @@ struct IntervalObservation {
   double time = 0;          ///< its end [s]
   double drift = 0;         ///< sum l |e - e^| / sum l e [-]
   double stable_step = 0;   ///< of the structure now [s]
-  double half_length = 0;   ///< connected half length of the network [m]
+  double half_length = 0;   ///< of the hydraulic fracture [m]
   bool inlet_closed = false;
 };
 

@@ -21,3 +21,12 @@ TEST_CASE("a segment counts only if both of its nodes are marked", "[coupler][sc
   CHECK(marked_half_length(network, {0, 0, 0, 0, 0}) == 0);
   CHECK(marked_half_length(network, {1, 1, 1, 1, 1}) == half_length(network));
 }
+
+TEST_CASE("a natural fracture that was met does not lengthen the hydraulic one", "[coupler][scheme]") {
+  Insertion insertion = test::chain(5, 1, 0);
+  insertion.new_segments.back().kind = SegmentKind::natural;
+  FractureNetwork network;
+  network.apply(insertion);
+  CHECK(half_length(network) == 1.5);
+  CHECK(marked_half_length(network, {0, 0, 0, 1, 1}) == 0);
+}

@@ -66,7 +66,7 @@ Case slit_case(double maximum, double minimum, double axis_angle) {
   value.mesh.fracture_size = 0.5;
   value.rock.fracture_energy = 50;
   value.domain.thickness = 2;
-  value.fractures.push_back({.name = "slit", .kind = FractureKind::open, .points = {{-1, 0}, {1, 0}}});
+  value.fractures.push_back({.name = "slit", .kind = FractureKind::open, .points = {{-1, 0}, {1, 0}}, .set = {}});
   value.injection.perforations = {{"perforation", {0, 0}, 1e-5}};
   const double mean = -(maximum + minimum) / 2, half = (maximum - minimum) / 2;
   value.in_situ.stress = {mean - half * std::cos(2 * axis_angle), mean + half * std::cos(2 * axis_angle),
@@ -150,7 +150,7 @@ TEST_CASE("natural fractures and other slits are not grown, and a wing goes stra
   slit.sketch.grow(fork, {{3, 0.1}});
   slit.sketch.grow(slit.sketch.node(0, 5), {{1, 5}});
   Case value = isotropic_case;
-  value.fractures.push_back({.name = "second", .kind = FractureKind::open, .points = {{0, 5}, {1, 5}}});
+  value.fractures.push_back({.name = "second", .kind = FractureKind::open, .points = {{0, 5}, {1, 5}}, .set = {}});
   const FracturePath path = fracture_path(slit.sketch.network(), value);
   CHECK(path.grown == std::vector<std::size_t>{4, 6, 7});
   CHECK(path.deviation == Approx(0.1).epsilon(rounding));
@@ -161,7 +161,7 @@ TEST_CASE("the perforated slit decides; without perforations the first open one"
   slit.sketch.grow(slit.east, {{2, 1}});
   Case value = isotropic_case;
   value.fractures.insert(value.fractures.begin(),
-                         {.name = "other", .kind = FractureKind::open, .points = {{0, 5}, {1, 5}}});
+                         {.name = "other", .kind = FractureKind::open, .points = {{0, 5}, {1, 5}}, .set = {}});
   CHECK(fracture_path(slit.sketch.network(), value).first_angle == Approx(45 * degree).epsilon(rounding));
   value.injection.perforations.clear();
   CHECK(fracture_path(slit.sketch.network(), value).first_angle == 0);
