@@ -48,42 +48,64 @@ struct Units {
   }
 };
 
-/// Half the distance from each natural unit to the next one of its line; 0 for a single one.
-std::vector<double> half_lengths(const Units& units) {
+/// The stroke that stands for a contact unit, along its fracture from its place.
+struct Stroke {
+  double back = 0, ahead = 0;  ///< [m]
+  double rank = 0;             ///< 1 for the second of two units at one place, the arms of a junction
+};
+
+/// Of two units at one place the one whose slip is nearer to that of the unit before comes first: the message
+/// does not tell the arms.
+void order_arms(const Units& units, const std::vector<double>& along, std::vector<std::size_t>& members) {
+  for (std::size_t place = 1; place + 2 < members.size(); ++place) {
+    const std::size_t first = members[place], second = members[place + 1];
+    if (along[first] != along[second]) continue;
+    const double before = units.slip[members[place - 1]], after = units.slip[members[place + 2]];
+    const double as_it_is = std::abs(units.slip[first] - before) + std::abs(units.slip[second] - after);
+    const double swapped = std::abs(units.slip[second] - before) + std::abs(units.slip[first] - after);
+    if (swapped < as_it_is) std::swap(members[place], members[place + 1]);
+  }
+}
+
+/// Every unit reaches half way to its neighbours on the line, the last ones as far outward as inward.
+std::vector<Stroke> strokes(const Units& units) {
   std::map<double, std::vector<std::size_t>> of_line;
   for (std::size_t unit = 0; unit < units.size(); ++unit)
     if (units.kind[unit] == natural) of_line[units.line[unit]].push_back(unit);
-  std::vector<double> half(units.size(), 0);
+  std::vector<Stroke> made(units.size());
+  std::vector<double> along(units.size(), 0);
   for (auto& [line, members] : of_line) {
     const double across = std::cos(units.direction(members.front())),
                  up = std::sin(units.direction(members.front()));
-    const auto along = [&](std::size_t unit) {
-      return across * units.position[2 * unit] + up * units.position[2 * unit + 1];
-    };
-    std::sort(members.begin(), members.end(),
-              [&](std::size_t a, std::size_t b) { return along(a) < along(b); });
-    for (std::size_t place = 0; place < members.size(); ++place) {
-      double widest = 0;
-      if (place > 0) widest = along(members[place]) - along(members[place - 1]);
-      if (place + 1 < members.size())
-        widest = std::max(widest, along(members[place + 1]) - along(members[place]));
-      half[members[place]] = widest / 2;
+    for (const std::size_t unit : members)
+      along[unit] = across * units.position[2 * unit] + up * units.position[2 * unit + 1];
+    std::stable_sort(members.begin(), members.end(),
+                     [&](std::size_t a, std::size_t b) { return along[a] < along[b]; });
+    order_arms(units, along, members);
+    for (std::size_t place = 0; place + 1 < members.size(); ++place) {
+      const double half = (along[members[place + 1]] - along[members[place]]) / 2;
+      made[members[place]].ahead = made[members[place + 1]].back = half;
+      if (half == 0) made[members[place + 1]].rank = 1;
     }
+    made[members.front()].back = made[members.front()].ahead;
+    made[members.back()].ahead = made[members.back()].back;
   }
-  return half;
+  return made;
 }
 
 /// Units of all reports, each once.
 class Pool {
  public:
-  std::size_t number(const Units& units, std::size_t unit, double half) {
-    const std::array<double, 3> key{units.line[unit], units.position[2 * unit], units.position[2 * unit + 1]};
+  std::size_t number(const Units& units, std::size_t unit, const Stroke& stroke) {
+    const std::array<double, 4> key{units.line[unit], units.position[2 * unit], units.position[2 * unit + 1],
+                                    stroke.rank};
     const auto [found, is_new] = number_.try_emplace(key, x_.size());
     if (is_new) {
       x_.push_back(key[1]);
       y_.push_back(key[2]);
       angle_.push_back(units.direction(unit));
-      half_.push_back(half);
+      back_.push_back(stroke.back);
+      ahead_.push_back(stroke.ahead);
     }
     return found->second;
   }
@@ -91,12 +113,13 @@ class Pool {
     return {{"x", for_drawing(x_)},
             {"y", for_drawing(y_)},
             {"angle", for_drawing(angle_)},
-            {"half", for_drawing(half_)}};
+            {"back", for_drawing(back_)},
+            {"ahead", for_drawing(ahead_)}};
   }
 
  private:
-  std::map<std::array<double, 3>, std::size_t> number_;
-  std::vector<double> x_, y_, angle_, half_;
+  std::map<std::array<double, 4>, std::size_t> number_;
+  std::vector<double> x_, y_, angle_, back_, ahead_;
 };
 
 bool has_joints(FieldReports& reports, const FieldReport& report) {
@@ -114,11 +137,11 @@ json joint_map(FieldReports& reports, std::size_t most_reports) {
     const FieldReport& report = reports.all()[index];
     if (!has_joints(reports, report)) continue;
     const Units units(reports, report);
-    const std::vector<double> half = half_lengths(units);
+    const std::vector<Stroke> stroke = strokes(units);
     json number = json::array(), slip = json::array(), wetted = json::array(), open = json::array();
     for (std::size_t unit = 0; unit < units.size(); ++unit) {
       if (!units.has_changed(unit)) continue;
-      number.push_back(pool.number(units, unit, half[unit]));
+      number.push_back(pool.number(units, unit, stroke[unit]));
       slip.push_back(for_drawing(units.slip[unit]));
       wetted.push_back(units.wetted[unit] > 0 ? 1 : 0);
       open.push_back(units.is_open(unit) ? 1 : 0);

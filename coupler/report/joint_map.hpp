@@ -9,9 +9,10 @@
 namespace fissura::coupler {
 
 /// What happened on the natural fractures, at up to `most_reports` field reports:
-///   units    {"x", "y" [m], "angle" of the fracture, counter-clockwise from x [rad], "half" length of the
-///   stroke that stands for it [m]}:
-///            every contact unit of a natural fracture on which anything ever happened, once
+///   units    {"x", "y" [m], "angle" of the fracture, counter-clockwise from x [rad], "back", "ahead": how
+///   far the stroke that stands
+///            for it reaches against and along that direction [m]}: every contact unit of a natural fracture
+///            on which anything ever happened, once
 ///   reports  [{"time" [s], "unit": [number in units, ...], "slip": [m, signed], "wetted": [0/1], "open":
 ///   [0/1]}, ...]: the units on which something has happened,
 ///            that is slip, opening or wetting

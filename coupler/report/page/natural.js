@@ -44,8 +44,8 @@ function naturalMap(grid, data) {
     ctx.lineWidth = 1.3;
     for (const line of data.case.fractures) if (line.kind === "natural") polyline(ctx, place, line.points);
     report.unit.forEach((unit, at) => {
-      const across = units.half[unit] * Math.cos(units.angle[unit]), up = units.half[unit] * Math.sin(units.angle[unit]);
-      const stroke = [[units.x[unit] - across, units.y[unit] - up], [units.x[unit] + across, units.y[unit] + up]];
+      const along = (reach) => [units.x[unit] + reach * Math.cos(units.angle[unit]), units.y[unit] + reach * Math.sin(units.angle[unit])];
+      const stroke = [along(-units.back[unit]), along(units.ahead[unit])];
       ctx.strokeStyle = "#55606b";
       ctx.lineWidth = 6;
       polyline(ctx, place, stroke);

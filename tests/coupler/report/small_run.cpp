@@ -2,6 +2,7 @@
 #include "tests/coupler/report/small_run.hpp"
 
 #include <fstream>
+#include <initializer_list>
 
 #include "coupler/record/run_record.hpp"
 #include "tests/coupler/record/sample_run.hpp"
@@ -54,15 +55,19 @@ FractureNetwork joined_network() {
 }
 
 Message with_joints(Message fields) {
-  fields.add("joint_position", "m", std::vector<double>{2, 0, 2, 1, 2, -1, 0, 0}, 4, 2);
-  fields.add("joint_normal", "1", std::vector<double>{1, 0, 1, 0, 1, 0, 0, 1}, 4, 2);
-  fields.add_bytes("joint_kind",
-                   std::vector<std::byte>{std::byte{1}, std::byte{1}, std::byte{1}, std::byte{0}});
-  fields.add_ids("joint_line", std::vector<std::uint64_t>{1, 1, 1, 0});
-  fields.add("joint_slip", "m", std::vector<double>{-2.5e-4, 1e-5, 0, 1e-3});
-  fields.add("joint_opening", "m", std::vector<double>{3e-5, 0, 0, 1e-3});
-  fields.add_bytes("joint_wetted",
-                   std::vector<std::byte>{std::byte{1}, std::byte{0}, std::byte{0}, std::byte{1}});
+  const auto bytes = [](std::initializer_list<int> values) {
+    std::vector<std::byte> made;
+    for (const int value : values) made.push_back(static_cast<std::byte>(value));
+    return made;
+  };
+  // The two arms at (2, 0), the upper one first; the unit at rest below, the one above, and one of the slit.
+  fields.add("joint_position", "m", std::vector<double>{2, 0, 2, 0, 2, -1, 2, 1, 0, 0}, 5, 2);
+  fields.add("joint_normal", "1", std::vector<double>{-1, 0, -1, 0, -1, 0, -1, 0, 0, 1}, 5, 2);
+  fields.add_bytes("joint_kind", bytes({1, 1, 1, 1, 0}));
+  fields.add_ids("joint_line", std::vector<std::uint64_t>{1, 1, 1, 1, 0});
+  fields.add("joint_slip", "m", std::vector<double>{2.5e-4, -2e-4, 0, 1e-5, 1e-3});
+  fields.add("joint_opening", "m", std::vector<double>{3e-5, 0, 0, 0, 1e-3});
+  fields.add_bytes("joint_wetted", bytes({1, 1, 0, 0, 1}));
   return fields;
 }
 

@@ -110,18 +110,21 @@ TEST_CASE("natural fractures are shown where anything has happened on them", "[c
   small_run::write_with_natural_fracture(folder.path() / "run");
   const nlohmann::json data = report_data(folder.path() / "run");
   const nlohmann::json& units = data["joints"]["units"];
-  CHECK(units["x"] == nlohmann::json({2.0, 2.0}));
-  CHECK(units["y"] == nlohmann::json({0.0, 1.0}));
+  // The arms of the junction share their place: the lower one, of negative slip, reaches back, the upper one
+  // ahead.
+  CHECK(units["x"] == nlohmann::json({2.0, 2.0, 2.0}));
+  CHECK(units["y"] == nlohmann::json({0.0, 0.0, 1.0}));
+  CHECK(units["back"] == nlohmann::json({0.0, 0.5, 0.5}));
+  CHECK(units["ahead"] == nlohmann::json({0.5, 0.0, 0.5}));
   // A right angle of five digits.
-  CHECK(std::abs(std::cos(units["angle"][0].get<double>())) < 1e-5);
-  CHECK(units["half"] == nlohmann::json({0.5, 0.5}));
+  CHECK(std::abs(std::sin(units["angle"][0].get<double>()) - 1) < 1e-5);
   REQUIRE(data["joints"]["reports"].size() == 1);
   const nlohmann::json& report = data["joints"]["reports"][0];
   CHECK(report["time"] == 1.0);
-  CHECK(report["unit"] == nlohmann::json({0, 1}));
-  CHECK(report["slip"] == nlohmann::json({-2.5e-4, 1e-5}));
-  CHECK(report["wetted"] == nlohmann::json({1, 0}));
-  CHECK(report["open"] == nlohmann::json({1, 0}));
+  CHECK(report["unit"] == nlohmann::json({0, 1, 2}));
+  CHECK(report["slip"] == nlohmann::json({2.5e-4, -2e-4, 1e-5}));
+  CHECK(report["wetted"] == nlohmann::json({1, 1, 0}));
+  CHECK(report["open"] == nlohmann::json({1, 0, 0}));
   CHECK(data["map"]["kinds"] == nlohmann::json({0, 0, 0, 1}));
   CHECK(data["meetings"]["columns"]["natural"] == nlohmann::json({"nf"}));
   CHECK(data["meetings"]["columns"]["crosses"] == nlohmann::json({1.0}));
