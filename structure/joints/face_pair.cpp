@@ -114,10 +114,18 @@ void resist_implicitly(const FacePair& pair, double step, std::span<double> velo
   resist(pair, pair.tangent, pair.tangential_stiffness, step, velocity);
 }
 
-void forbid_overlap(const FacePair& pair, double gap, double step, std::span<double> velocity) {
+double forbid_overlap(const FacePair& pair, double gap, double step, std::span<double> velocity) {
   const double v = relative_velocity(pair, pair.normal, velocity);
   const double least = -std::max(gap, 0.0) / step;
-  if (v < least) change_relative_velocity(pair, pair.normal, least - v, velocity);
+  if (v >= least) return 0;
+  change_relative_velocity(pair, pair.normal, least - v, velocity);
+  return pair.reduced_mass() * (least - v);
+}
+
+void rub(const FacePair& pair, double greatest, std::span<double> velocity) {
+  if (greatest == 0) return;
+  const double v = relative_velocity(pair, pair.tangent, velocity), change = greatest / pair.reduced_mass();
+  change_relative_velocity(pair, pair.tangent, -std::clamp(v, -change, change), velocity);
 }
 
 void observe(const FacePair& pair, const PressureRamp& ramp, double tau, const JointProperties& properties,

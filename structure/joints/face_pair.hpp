@@ -124,7 +124,11 @@ void change_relative_velocity(const FacePair& pair, Vector direction, double cha
 void resist_implicitly(const FacePair& pair, double step, std::span<double> velocity);
 
 /// Lets the faces come no nearer than they touch at the end of the step. @param gap  now [m]
-void forbid_overlap(const FacePair& pair, double gap, double step, std::span<double> velocity);
+/// @returns the impulse that it takes [N s/m]
+double forbid_overlap(const FacePair& pair, double gap, double step, std::span<double> velocity);
+
+/// Friction of faces that strike each other: takes away sliding with an impulse of at most `greatest` [N s/m].
+void rub(const FacePair& pair, double greatest, std::span<double> velocity);
 
 /// Opening, sliding and pressure at the end of the step, from the displacements [m].
 void observe(const FacePair& pair, const PressureRamp& ramp, double tau, const JointProperties& properties,

@@ -19,6 +19,12 @@ double sliding_velocity(const FacePair& pair, double held_force, double velocity
   return velocity + step / pair.reduced_mass() * (held_force - std::copysign(greatest_force, to_stick));
 }
 
+/// Mean pressure over the step between touching faces that takes away the velocity at which they meet [Pa].
+double impact_traction(const FacePair& pair, double step, std::span<const double> velocity) {
+  const double approach = -relative_velocity(pair, pair.normal, velocity);
+  return std::max(approach, 0.0) * pair.reduced_mass() / (step * pair.length);
+}
+
 /// Velocities after the step of faces that touch.
 void move_together(const FacePair& pair, Vector force, const JointStepControls& controls,
                    std::span<double> velocity) {
@@ -113,10 +119,11 @@ void JointStep::advance_ordinary(const Ordinary& entry, const JointNodes& nodes,
 
   if (state.closed) {
     const double before = relative_velocity(pair, pair.tangent, nodes.velocity);
+    const double impact = impact_traction(pair, step, nodes.velocity);
     move_together(pair, force_minus + force_plus, controls, nodes.velocity);
     if (released) {
       const double greatest =
-          greatest_shear_traction(properties, state, -(state.held_normal + pair.pressure));
+          greatest_shear_traction(properties, state, impact - (state.held_normal + pair.pressure));
       const double sliding =
           sliding_velocity(pair, state.held_tangential * pair.length, before, greatest * pair.length, step);
       if (sliding != 0) change_relative_velocity(pair, pair.tangent, sliding, nodes.velocity);
@@ -131,7 +138,8 @@ void JointStep::advance_ordinary(const Ordinary& entry, const JointNodes& nodes,
         pair.length * ((pair.pressure - pull.normal) * pair.normal - pull.tangential * pair.tangent);
     move_apart(pair, force_minus, force_plus, on_plus, controls, nodes.velocity);
     resist_implicitly(pair, step, nodes.velocity);
-    forbid_overlap(pair, gap(state), step, nodes.velocity);
+    const double impulse = forbid_overlap(pair, gap(state), step, nodes.velocity);
+    rub(pair, properties.friction_coefficient * impulse, nodes.velocity);
   }
   for (const NodeIndex node : {pair.minus, pair.plus})
     set(nodes.displacement, node, at(nodes.displacement, node) + step * at(nodes.velocity, node));

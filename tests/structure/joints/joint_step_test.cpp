@@ -128,6 +128,27 @@ TEST_CASE("a sliding block is stopped by friction where the energy says", "[stru
   CHECK(pair.state().slip == Approx(speed * speed / (2 * deceleration)).epsilon(1e-3));
 }
 
+TEST_CASE("faces that strike each other rub by mu times the blow", "[structure][joints]") {
+  // Contact that flickers would otherwise carry a share of the load without friction.
+  constexpr double coefficient = 0.5;
+  BlockPair pair(frictional(coefficient), mass, length);
+  pair.step({0, 0}, {0, mass / step}, undamped);
+  REQUIRE_FALSE(pair.state().closed);
+  const Point minus = pair.velocity_minus();
+  pair.set_velocity_plus({minus[0] + 100, minus[1] - 50});
+  double normal = -50, tangential = 100;
+  for (int k = 0; k < 4; ++k) {
+    pair.step({0, 0}, {0, 0}, undamped);
+    const double normal_now = pair.velocity_plus()[1] - pair.velocity_minus()[1];
+    const double tangential_now = pair.velocity_plus()[0] - pair.velocity_minus()[0];
+    CHECK(tangential - tangential_now == Approx(coefficient * (normal_now - normal)).margin(1e-9));
+    normal = normal_now;
+    tangential = tangential_now;
+  }
+  CHECK(normal == Approx(0).margin(1e-9));
+  CHECK(tangential == Approx(100 - coefficient * 50));
+}
+
 TEST_CASE("local damping of touching faces acts on what is out of balance, not on the contact force",
           "[structure][joints]") {
   BlockPair pair(JointProperties{}, mass, length);
