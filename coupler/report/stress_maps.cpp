@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "coupler/report/drawn_numbers.hpp"
@@ -83,6 +84,41 @@ json map_of(const std::vector<Picture>& shown, const View& view, const Limits& l
           {"reports", list}};
 }
 
+/// The middle of a cell of the raster.
+std::array<double, 2> middle_of(const Raster& raster, const View& view, std::size_t cell) {
+  const double column = static_cast<double>(cell % raster.columns),
+               row = static_cast<double>(cell / raster.columns);
+  return {view.west + (column + 0.5) * (view.east - view.west) / static_cast<double>(raster.columns),
+          view.south + (row + 0.5) * (view.north - view.south) / static_cast<double>(raster.rows)};
+}
+
+/// Of the points whose x and y stand in turn [m].
+double half_extent(const std::vector<double>& nodes) {
+  std::array<double, 2> low{nodes[0], nodes[1]}, high = low;
+  for (std::size_t part = 0; part < nodes.size(); ++part) {
+    low[part % 2] = std::min(low[part % 2], nodes[part]);
+    high[part % 2] = std::max(high[part % 2], nodes[part]);
+  }
+  return std::max(high[0] - low[0], high[1] - low[1]) / 2;
+}
+
+bool is_far(const std::array<double, 2>& place, const std::vector<double>& nodes, double distance) {
+  for (std::size_t node = 0; node < nodes.size(); node += 2)
+    if (std::hypot(nodes[node] - place[0], nodes[node + 1] - place[1]) <= distance) return false;
+  return true;
+}
+
+json change_far_away(const Raster& raster, const View& view, const std::vector<double>& nodes) {
+  if (nodes.empty()) return nullptr;
+  const double distance = half_extent(nodes);
+  std::optional<double> greatest;
+  for (std::size_t cell = 0; cell < raster.values.size(); ++cell)
+    if (!std::isnan(raster.values[cell]) && is_far(middle_of(raster, view, cell), nodes, distance))
+      greatest = std::max(greatest.value_or(0), std::abs(raster.values[cell] - 1));
+  if (!greatest) return nullptr;
+  return {{"distance", for_drawing(distance)}, {"greatest_change", for_drawing(*greatest)}};
+}
+
 constexpr double left_out = 0.002;  // share of the values at an end that the colours do not tell apart
 
 }  // namespace
@@ -129,7 +165,10 @@ json relative_stress_map(FieldReports& reports, const json& in_situ, const View&
   std::sort(values.begin(), values.end());
   constexpr double least_reach = 1e-3;
   const double reach = std::max(at_share(values, 1 - left_out), least_reach);
-  return map_of(shown, view, {1 - reach, 1 + reach});
+  json map = map_of(shown, view, {1 - reach, 1 + reach});
+  map["far"] = change_far_away(shown.back().raster, view,
+                               reports.of_network(reports.all().back().revision, "position"));
+  return map;
 }
 
 }  // namespace fissura::coupler

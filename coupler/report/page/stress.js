@@ -18,22 +18,23 @@ function pictureOf(map, values, colours) {
   return canvas;
 }
 
-// The natural fractures of the case, and of the network what was there at a time; dark on a light seam, to be seen on any colour.
-function fracturesOver(ctx, place, data, time) {
+// The natural fractures of the case, and of the network what was there at a time; dark on a light seam, to be seen on any
+// colour; `fine` lines where there are many in a small place.
+function fracturesOver(ctx, place, data, time, fine) {
   const natural = (data.case.fractures || []).filter((line) => line.kind === "natural");
   const before = data.map.reports.filter((report) => report.time <= time * (1 + 1e-9)).length - 1;
   const { nodes, segments, kinds } = data.map;
   const hydraulic = segments.filter(([, , since], number) => since <= before && kinds[number] === 0);
   for (const [colour, width] of [["#ffffffb0", 3], ["#22303c", 1.1]]) {
     ctx.strokeStyle = colour;
-    ctx.lineWidth = width;
+    ctx.lineWidth = fine ? width / 2 : width;
     for (const line of natural) polyline(ctx, place, line.points);
     ctx.lineWidth = width + 2;
     for (const [first, second] of hydraulic) polyline(ctx, place, [[nodes.x[first], nodes.y[first]], [nodes.x[second], nodes.y[second]]]);
   }
 }
 
-// A map of raster.hpp over time: { id, title, bar, unit factor, colours, caption }.
+// A map of raster.hpp over time: { id, title, bar, factor, colours, caption, source, fine }.
 function stressMap(grid, data, map, options) {
   if (!map) return;
   const pictures = map.reports.map((report) => pictureOf(map, report.values, options.colours));
@@ -42,7 +43,7 @@ function stressMap(grid, data, map, options) {
     const [left, top] = place(map.box[0], map.box[3]), [right, bottom] = place(map.box[1], map.box[2]);
     ctx.imageSmoothingEnabled = true;
     ctx.drawImage(pictures[controls.report()], left, top, right - left, bottom - top);
-    fracturesOver(ctx, place, data, map.reports[controls.report()].time);
+    fracturesOver(ctx, place, data, map.reports[controls.report()].time, options.fine);
     perforations(ctx, place, data.case);
   };
   const plot = element("div", { class: "plot tall" });
@@ -54,11 +55,13 @@ function stressMap(grid, data, map, options) {
 
 function stressMaps(grid, data) {
   const cut = " Means of the elements around each node. The last 0.2 % of the values at an end of the scale have the colour of that end.";
+  const away = data.relative_stress && data.relative_stress.far;
+  const far = away ? ` At the end, farther than ${shown(away.distance, 3)} m (half the extent of the network) from any fracture in the network, it has changed by ${percent(away.greatest_change)} at the most.` : "";
   stressMap(grid, data, data.least_stress, { id: "least_stress", title: "Minimum principal stress around the fracture", bar: "\u03c3_h [MPa],\ntension +",
     factor: 1e-6, colours: ramp, caption: "Least compressive principal effective stress, tension positive; thick line: hydraulic fracture, thin lines: natural "
       + "fractures, circle: perforation." + cut });
   stressMap(grid, data, data.relative_stress, { id: "relative_stress", title: "Relative greatest horizontal stress in the whole domain", bar: "\u03c3_H / \u03c3_H0 [\u2013]",
-    factor: 1, colours: divergingRamp, source: "; effective_case.json: in_situ", caption: "Most compressive principal effective stress over the one in situ at the same place: 1 where nothing has changed." + cut });
+    factor: 1, fine: true, colours: divergingRamp, source: "; effective_case.json: in_situ", caption: "Most compressive principal effective stress over the one in situ at the same place: 1 where nothing has changed." + far + cut });
 }
 
 function drawCross(ctx, [x, y], angle, half) {
@@ -78,7 +81,7 @@ function stressPicture(grid, data) {
     const { box, x, y, angle, greatest, least } = state.view;
     const [left] = place(box[0], 0), [right] = place(box[1], 0);
     const cell = (right - left) * Math.sqrt((box[3] - box[2]) / (box[1] - box[0]) / 400);
-    fracturesOver(ctx, place, data, data.stress.time);
+    fracturesOver(ctx, place, data, data.stress.time, state.view.name === "whole domain");
     for (let number = 0; number < x.length; ++number) {
       const middle = place(x[number], y[number]), largest = Math.max(Math.abs(greatest[number]), Math.abs(least[number]));
       const stroke = (value) => (value > 0 ? "#c0392b" : "#2b6ca3");

@@ -6,6 +6,7 @@
 #include "common/errors.hpp"
 #include "coupler/report/csv_columns.hpp"
 #include "coupler/report/report_data.hpp"
+#include "coupler/report/stress_maps.hpp"
 #include "tests/coupler/record/sample_run.hpp"
 #include "tests/coupler/report/small_run.hpp"
 
@@ -150,6 +151,24 @@ TEST_CASE("the maps of stress fill the fracture and the domain at every report",
   CHECK(relative["low"].get<double>() + relative["high"].get<double>() == Approx(2));
   CHECK(least["low"].get<double>() < -10e6);
   CHECK(least["high"].get<double>() > -10e6);
+  // The network lies from -1 to 2 m on y = 0; no part of the rock is farther than 1.5 m from all of it.
+  CHECK(relative["far"].is_null());
   const std::size_t cells = relative["columns"].get<std::size_t>() * relative["rows"].get<std::size_t>();
   CHECK(relative["reports"][1]["values"].get<std::string>().size() == (cells + 2) / 3 * 4);
+}
+
+TEST_CASE("the change of stress far away is that beyond half the extent of the network",
+          "[coupler][report]") {
+  const sample::TemporaryDirectory folder;
+  const FractureNetwork network = sample::network();
+  Segments segments(folder.path(), 1);
+  segments.add(1, small_run::structure_fields(), small_run::network_fields(network), network, {});
+  FieldReports reports(folder.path());
+  // The network lies from -1 to 1 m on y = 0, the rock is a square of 1 m above it, pressed 25 % more than in
+  // situ.
+  const View domain{"", -1, 1, -1, 1};
+  const nlohmann::json in_situ{{"stress", {-12e6, -10e6, 0.0, -12e6}}};
+  const nlohmann::json far = relative_stress_map(reports, in_situ, domain, {1, 400})["far"];
+  CHECK(far["distance"] == 1.0);
+  CHECK(far["greatest_change"].get<double>() == Approx(0.25));
 }
