@@ -99,6 +99,8 @@ function meetingsTable(grid, data) {
 function naturalFractures(data, of) {
   const grid = section("Natural fractures", "A hydraulic fracture that reaches a natural one joins it; whether it may cross is decided once, at that moment, by "
     + "a criterion of friction: it may if the friction is at least the critical one."), x = "time [s]";
+  const columns = data.history.columns, junction = columns.junction_pressure || [];
+  const sinceJunction = (column) => junction.map((pressure, row) => (pressure > 0 ? columns[column][row] : null));
   naturalMap(grid, data);
   meetingsTable(grid, data);
   chart(grid, { id: "slip", title: "Slip", x, y: "slip [mm]", factor: 1e3, zero: true,
@@ -109,7 +111,8 @@ function naturalFractures(data, of) {
       of("farthest slip from an open fracture", "slip_distance", colours.grey, { right: true, line: "dashed" })],
     caption: "Trace length of natural fractures in the network, slipped by more than 0.01 mm, and open.", source: "history.csv: time, wetted_length, slipped_length, opened_length, slip_distance" });
   chart(grid, { id: "junction_pressure", title: "Pressure at the junctions", x, y: "pressure [MPa]", factor: 1e-6, right: "number", rightFactor: 1, wide: true,
-    series: [of("inlet", "inlet_pressure", colours.grey), { ...of("highest junction", "junction_pressure", colours.blue), y: (data.history.columns.junction_pressure || []).map((value) => value || null) },
+    series: [{ ...of("inlet", "inlet_pressure", colours.grey), y: sinceJunction("inlet_pressure") },
+      { ...of("highest junction", "junction_pressure", colours.blue), y: sinceJunction("junction_pressure") },
       of("met", "meetings", colours.ochre, { right: true, width: 1 }), of("of them may be crossed", "crossings", colours.teal, { right: true, width: 1, line: "dashed" })],
-    caption: "Total fluid pressure at the inlet and at the junction where it is highest.", source: "history.csv: time, inlet_pressure, junction_pressure, meetings, crossings" });
+    caption: "Total fluid pressure at the inlet and at the junction where it is highest, since there is one.", source: "history.csv: time, inlet_pressure, junction_pressure, meetings, crossings" });
 }
