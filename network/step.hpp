@@ -49,7 +49,9 @@ struct Step {
 double bulk_modulus(const Model& model, const State& state, std::size_t node);
 
 /// The contact pressures of the joint laws follow what would part the faces, max(reference_pressure, p),
-/// while these touch and the pressure is not above. Else they stay, so that no joint opening jumps.
+/// while these touch and the pressure is not above. Else they stay, so that no joint opening jumps. A node is
+/// open as soon as one of its arms is: at the mouth of a hydraulic fracture the joint's own opening ends with
+/// the mouth's.
 void follow_contact(const Interval& interval, State& state);
 
 /// Of the joints at a node, a mean over all arms.
