@@ -12,7 +12,7 @@ import subprocess
 import tempfile
 import unittest
 
-from trio import COUPLER, Run
+from trio import CASE, COUPLER, Run
 
 # Runs in the page after its own scripts: what was drawn on every canvas, and where the page asked for something from outside.
 PROBE = """<script>
@@ -30,7 +30,7 @@ window.addEventListener("load", () => setTimeout(() => {
   const wide = document.documentElement.scrollWidth - document.documentElement.clientWidth;
   const asked = performance.getEntriesByType("resource").map((entry) => entry.name);
   const figures = [...document.querySelectorAll("figure")].map((figure) => ({ id: figure.id,
-    caption: figure.querySelector("figcaption").textContent, canvas: figure.querySelector("canvas") !== null }));
+    caption: figure.querySelector("figcaption").textContent, canvas: figure.querySelector("canvas") !== null, visible: figure.offsetParent !== null }));
   const result = document.createElement("pre");
   result.id = "probe";
   result.textContent = JSON.stringify({ drawn, wide, asked, figures });
@@ -51,7 +51,14 @@ def data_of(page):
     return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S).group(1))
 
 
-def browse(page):
+def visible_figures(page, query):
+    """The figures that have a place on the page, at an address with this query."""
+    seen, console = browse(page, query)
+    assert console == [], console
+    return [figure["id"] for figure in seen["figures"] if figure["visible"]]
+
+
+def browse(page, query=""):
     """What the probe saw, and what the page wrote on the console."""
     with tempfile.TemporaryDirectory(prefix="fissura-report-") as home:
         file = pathlib.Path(home) / "report.html"
@@ -59,7 +66,7 @@ def browse(page):
         file.write_text(body + PROBE + end)
         command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run",
                    f"--user-data-dir={home}/profile", "--window-size=1200,900", "--virtual-time-budget=10000",
-                   "--enable-logging=stderr", "--dump-dom", file.as_uri()]
+                   "--enable-logging=stderr", "--dump-dom", file.as_uri() + query]
         done = subprocess.run(command, capture_output=True, text=True, timeout=120)
         found = re.search(r'<pre id="probe">(.*?)</pre>', done.stdout, re.S)
         assert found, "the page did not come to its end:\n" + done.stderr
@@ -106,6 +113,25 @@ class Report(unittest.TestCase):
             columns = data["remeshing"]["columns"]
             self.assertGreater(data["remeshing"]["rows"], 0)
             self.assertEqual(columns["hash_before"], columns["hash_after"])
+
+    def test_a_natural_fracture_shows_where_it_was_met_and_what_it_did(self):
+        with Run("--until", "3 s", case=CASE.parent / "crossing", form=None) as run:
+            self.assertEqual(run.wait(120), 0, run.errors)
+            data = self.look_at(run, self.ALWAYS + ("natural_map", "slip", "natural_length", "junction_pressure"))
+            columns = data["meetings"]["columns"]
+            self.assertEqual(columns["natural"], ["natural fracture"])
+            self.assertEqual(len(columns["time"]), data["history"]["columns"]["meetings"][-1])
+            self.assertTrue(data["joints"]["reports"][-1]["unit"], "nothing happened on the natural fracture")
+            summary = data["summary"]["natural_fractures"]
+            self.assertEqual(summary["met"], summary["crossed"] + summary["arrested"])
+            self.assertGreater(summary["wetted_length"], 0)
+
+    def test_a_single_figure_is_shown_when_its_name_stands_in_the_address(self):
+        with Run("--until", "1 s") as run:
+            self.assertEqual(run.wait(120), 0, run.errors)
+            page = write_report(run)
+            self.assertEqual(visible_figures(page, "?figure=least_stress"), ["least_stress"])
+            self.assertGreater(len(visible_figures(page, "")), 10)
 
     def test_a_run_that_is_killed_on_its_way_is_drawn_as_far_as_it_went(self):
         with Run("--set", "output.reports_per_segment=1", "--set", 'time.end="400 s"', form=None) as run:
