@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/errors.hpp"
+#include "common/exchange/participant.hpp"
 #include "structure/mesh/order.hpp"
 #include "structure/mesh/planar_mesh.hpp"
 #include "structure/mesh/split_fractures.hpp"
@@ -49,6 +50,7 @@ Mesh build_mesh(const Case& run_case) {
   const Case given = without_unmeshed_lines(run_case);
   Mesh mesh = split_fractures(mesh_domain(given), given.fractures);
   mesh.lines = given.fractures;
+  note_progress("mesh");
   order(mesh);
   list_side_nodes(mesh, given.domain);
   check_areas(mesh);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "common/exchange/participant.hpp"
 #include "structure/mesh/triangle_shape.hpp"
 
 namespace fissura::structure {
@@ -57,6 +58,7 @@ class Relaxation {
 
  private:
   void connect() {
+    note_progress("mesh");
     triangles_ = triangulate(cloud_.points, edges_);
     first_.assign(cloud_.points.size() + 1, 0);
     for (const PointTriple& t : triangles_)
