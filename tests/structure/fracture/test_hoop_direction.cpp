@@ -138,6 +138,31 @@ TEST_CASE("the kink of a closed fracture in compression, which its own faces pre
   CHECK(kink(rock, end).stress > 0);
 }
 
+TEST_CASE("wing cracks start from both ends of a flaw at 70.53 degrees, towards the load",
+          "[structure][fracture]") {
+  const double angle = 36.65 * degree, half_length = 5;
+  const std::uint64_t seed = GENERATE(range(1, 4));
+  Case given = inclined_slit(angle, half_length, seed, FractureKind::natural);
+  given.in_situ.stress = {-20e6, 0, 0, 0};
+  GrowingRock rock(given);
+  std::vector<Faces> faces(rock.geometry.mesh.units.size());
+  for (Faces& pair : faces) pair = {false, {}, {7e6 * std::cos(angle), 7e6 * std::sin(angle)}};
+  rock.state.body.displacement = displacement_at_rest(rock.geometry.mesh, rock.model.moduli, faces);
+  for (JointState& state : rock.state.joints.state) state.slip = 1e-3;
+  rock.insert(rock.plan());
+  const Mesh& mesh = rock.geometry.mesh;
+  int wings = 0;
+  for (const FractureEdge& edge : mesh.edges) {
+    if (mesh.lines[edge.line].name != "growth of slit") continue;
+    const Point &from = mesh.vertices[edge.begin].position, &to = mesh.vertices[edge.end].position;
+    const double outward = from[0] > 0 ? 1 : -1;
+    const double wing = std::atan2(outward * (to[1] - from[1]), outward * (to[0] - from[0]));
+    CHECK((wing - angle) / degree == Approx(-70.5288).margin(1));
+    ++wings;
+  }
+  CHECK(wings == 2);
+}
+
 TEST_CASE("the stress across a kink is the total one of its surroundings", "[structure][fracture]") {
   Case given = inclined_slit(0, 5, 1, FractureKind::open);
   given.in_situ.stress = {-3e6, -5e6, 0, -4e6};
