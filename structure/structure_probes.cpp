@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structure/structure_probes.hpp"
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,8 +16,6 @@ namespace fissura::structure {
 namespace {
 
 constexpr double sizes_around = 2;  // of the elements whose stress counts
-constexpr double least_spread =
-    1e-6;  // determinant of the spread of their centroids that a plane needs, in sizes^4
 
 /// The three shape functions of an element at a point.
 std::array<double, 3> shape_functions(const Mesh& mesh, ElementIndex element, const Point& at) {
@@ -58,49 +58,33 @@ std::optional<UnitIndex> joint_near(const Mesh& mesh, const Point& at, double di
   return nearest;
 }
 
-/// Sums for the plane  s = a + b x + c y  through weighted values, x and y from the place where it is asked
-/// for.
-class PlaneFit {
+/// Stresses of elements around a place, weighted by area, for a polynomial through them.
+class StressFit {
  public:
-  void add(double weight, double x, double y, const InPlane<double>& stress) {
-    weight_ += weight;
-    x_ += weight * x;
-    y_ += weight * y;
-    xx_ += weight * x * x;
-    xy_ += weight * x * y;
-    yy_ += weight * y * y;
-    add(stress, weight, stress_);
-    add(stress, weight * x, stress_x_);
-    add(stress, weight * y, stress_y_);
+  /// @param size  of the elements [m];  `x`, `y` from the place [m]
+  explicit StressFit(double size) : size_(size) {}
+
+  void add(double area, double x, double y, const InPlane<double>& stress) {
+    const double weight = std::sqrt(area);
+    const double u = x / size_, v = y / size_;
+    for (const double term : {1.0, u, v, u * u, u * v, v * v}) terms_.push_back(weight * term);
+    for (const double value : {stress.xx, stress.yy, stress.xy}) values_.push_back(weight * value);
   }
 
-  /// Its value at the place; the mean where the values do not determine a plane. @param radius  of the places
-  /// [m]
-  [[nodiscard]] InPlane<double> value(double radius) const {
-    const double x = x_ / weight_, y = y_ / weight_;
-    const double xx = xx_ / weight_ - x * x, xy = xy_ / weight_ - x * y, yy = yy_ / weight_ - y * y;
-    const double determinant = xx * yy - xy * xy;
-    const double square = radius * radius;
-    const bool determined = determinant > least_spread * square * square;
-    const auto component = [&](double InPlane<double>::*which) {
-      const double mean = stress_.*which / weight_;
-      if (!determined) return mean;
-      const double sx = stress_x_.*which / weight_ - x * mean, sy = stress_y_.*which / weight_ - y * mean;
-      return mean - x * (yy * sx - xy * sy) / determinant - y * (xx * sy - xy * sx) / determinant;
-    };
-    return {component(&InPlane<double>::xx), component(&InPlane<double>::yy),
-            component(&InPlane<double>::xy)};
+  /// At the place itself, of the polynomial of the highest degree, at most two, that twice as many elements
+  /// as it has terms determine.
+  [[nodiscard]] InPlane<double> value() const {
+    const auto count = static_cast<Eigen::Index>(values_.size() / 3);
+    const Eigen::Index terms = count >= 12 ? 6 : count >= 6 ? 3 : 1;
+    using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const Eigen::Map<const Table> basis(terms_.data(), count, 6), values(values_.data(), count, 3);
+    const Eigen::MatrixXd fit = Eigen::MatrixXd(basis.leftCols(terms)).colPivHouseholderQr().solve(values);
+    return {fit(0, 0), fit(0, 1), fit(0, 2)};
   }
 
  private:
-  static void add(const InPlane<double>& stress, double factor, InPlane<double>& sum) {
-    sum.xx += factor * stress.xx;
-    sum.yy += factor * stress.yy;
-    sum.xy += factor * stress.xy;
-  }
-
-  double weight_ = 0, x_ = 0, y_ = 0, xx_ = 0, xy_ = 0, yy_ = 0;
-  InPlane<double> stress_{0, 0, 0}, stress_x_{0, 0, 0}, stress_y_{0, 0, 0};
+  double size_;
+  std::vector<double> terms_, values_;
 };
 
 /// Effective stress of an element, `records` of failure regarded.
@@ -146,13 +130,13 @@ std::vector<ProbeValues> Probes::observe(const StructureModel& model, const Geom
     const Point& at = probes_[k].position;
     ProbeValues& values = seen.emplace_back();
     values.joint = place.joint;
-    PlaneFit fit;
+    StressFit fit(size_of(mesh, place.element));
     for (const ElementIndex element : place.around) {
       const Point middle = centroid(mesh, element);
       fit.add(element_area(mesh, element), middle[0] - at[0], middle[1] - at[1],
               stress_of(model, geometry, state, records, element));
     }
-    values.stress = fit.value(size_of(mesh, place.element));
+    values.stress = fit.value();
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t axis = 0; axis < 2; ++axis)
         values.displacement[axis] +=

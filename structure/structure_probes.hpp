@@ -17,9 +17,9 @@ struct ProbeValues {
   std::optional<UnitIndex> joint;        ///< the nearest within one element size, if any
 };
 
-/// The probes of a case. The stress at a probe is the value there of the plane, linear in x and y, that fits
-/// those of the elements within two sizes of its own element best by area: the stress of a single
-/// constant-strain triangle is that of its centroid. No element counts that lies beyond a fracture.
+/// The probes of a case. The stress at a probe is the value there of the quadratic polynomial that fits those of the
+/// elements within two sizes of its own element best by area (a plane where they are too few): the stress of a
+/// single constant-strain triangle is that of its centroid. No element counts that lies beyond a fracture.
 class Probes {
  public:
   explicit Probes(const std::vector<Probe>& probes) : probes_(probes) {}
