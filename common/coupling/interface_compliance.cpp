@@ -133,18 +133,21 @@ std::vector<double> interface_compliance(const FractureNetwork& network, double 
   for (std::size_t start = 0; start < network.nodes().size(); ++start) {
     if (seen[start]) continue;
     const std::vector<std::size_t> part = connected_part(neighbours, start, seen);
-    if (const auto chain = chain_of(neighbours, part))
+    double share = factor;
+    if (const auto chain = chain_of(neighbours, part)) {
       closed_form(network, *chain, plane_strain_modulus, compliance);
-    else if (small_tree(neighbours, part))
+    } else if (small_tree(neighbours, part)) {
       row_sum(network, neighbours, part, plane_strain_modulus, compliance);
-    else {
+    } else {
       if (by_lines.empty()) by_lines = line_compliance(network, plane_strain_modulus);
       for (const std::size_t node : part) compliance[node] = by_lines[node];
+      share = std::max(factor, least_factor_of_lines);
     }
+    for (const std::size_t node : part) compliance[node] *= share;
   }
   for (std::size_t i = 0; i < compliance.size(); ++i)
-    compliance[i] = std::max(factor * compliance[i],
-                             compliance_floor(network.nodes()[i].lumped_length, plane_strain_modulus));
+    compliance[i] = std::max(
+        compliance[i], compliance_floor(network.nodes()[i].lumped_length, plane_strain_modulus));
   return compliance;
 }
 

@@ -103,3 +103,14 @@ TEST_CASE("no arm is softer than the longest fracture alone, however many blocks
   }
   CHECK(*std::max_element(compliance.begin(), compliance.end()) > 1.9 * longest / modulus);
 }
+
+TEST_CASE("a network of lines keeps its whole opening where a single fracture takes a share",
+          "[common][coupling]") {
+  const FractureNetwork network = blocks(4);
+  CHECK(interface_compliance(network, modulus, 0.3) == interface_compliance(network, modulus, 1));
+  CHECK(interface_compliance(network, modulus, 2)[0] ==
+        Approx(2 * interface_compliance(network, modulus, 1)[0]));
+  const FractureNetwork tree = tee(20, 6, pi / 2);
+  CHECK(interface_compliance(tree, modulus, 0.3)[20] ==
+        Approx(0.3 * interface_compliance(tree, modulus, 1)[20]));
+}
