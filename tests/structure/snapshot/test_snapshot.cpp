@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
@@ -24,6 +25,9 @@ Case slit_case() {
   settings.boundary.west.kind = BoundaryKind::roller;
   settings.fractures.push_back({"slit", FractureKind::open, {{-4, 0}, {4, 0}}, 0, 0, 0.5, 0});
   settings.fractures.push_back({"joint", FractureKind::natural, {{8, -4}, {8, 4}}, 0, 0, 0.6, 1e5});
+  settings.fractures.back().friction_coefficient = 0.02;
+  settings.fractures.back().dilation_angle = 0.1;
+  settings.fractures.back().dilation_slip = 1;
   return settings;
 }
 
@@ -67,7 +71,9 @@ void require_same_motion(const Structure& a, const Structure& b) {
   REQUIRE(same_bits(a.state.body.displacement, b.state.body.displacement));
   REQUIRE(same_bits(a.state.body.velocity, b.state.body.velocity));
   for (std::size_t u = 0; u < a.state.joints.state.size(); ++u)
-    REQUIRE(a.state.joints.state[u].opening == b.state.joints.state[u].opening);
+    for (const auto member : {&JointState::opening, &JointState::sliding, &JointState::slip,
+                              &JointState::dilation, &JointState::sliding_at_rest})
+      REQUIRE(a.state.joints.state[u].*member == b.state.joints.state[u].*member);
 }
 
 Structure restored(const std::vector<std::byte>& bytes) {
@@ -89,6 +95,8 @@ TEST_CASE("a structure restored after insertions goes on bit for bit, through fu
   CHECK(copy.geometry.mesh.lines.back().name == "grown");
   CHECK(kinetic_energy(original.geometry.body, original.state.body.velocity, 1) > 0);
   require_same_motion(original, copy);
+  const auto dilated = [](const JointState& state) { return state.dilation > 0; };
+  CHECK(std::any_of(copy.state.joints.state.begin(), copy.state.joints.state.end(), dilated));
   for (Structure* structure : {&original, &copy}) {
     structure->advance(0.02, 0.03);
     structure->follow(refine(structure->geometry.mesh, {-5, -1}, 1));
