@@ -53,10 +53,11 @@ TEST_CASE("a probe sees the stress at its place, not that of its triangle", "[ve
   Probes probes(rock.model.run_case.output.probes);
   const double expected = pull * std::pow(2.1 / length, 2);
   const ProbeValues seen = probes.observe(rock.model, rock.geometry, rock.state).front();
-  // Elements of 0.4 m: the stress changes by 0.1 MPa across one.
-  CHECK(seen.stress.yy + 5e6 == Approx(expected).margin(0.005e6));
+  // Elements of up to 1 m tell means: sigma'' h^2 / 12 = 10 kPa, while the stress changes by 260 kPa across
+  // one.
+  CHECK(seen.stress.yy + 5e6 == Approx(expected).margin(0.01e6));
   CHECK(seen.displacement[1] ==
-        Approx(pull / modulus * std::pow(2.1, 3) / (3 * length * length)).epsilon(0.02));
+        Approx(pull / modulus * std::pow(2.1, 3) / (3 * length * length)).epsilon(0.05));
   CHECK_FALSE(seen.joint.has_value());
 }
 
