@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <limits>
 #include <new>
+#include <optional>
 
 #include "common/exchange/channel.hpp"
 #include "common/exchange/fault_point.hpp"
@@ -99,6 +100,7 @@ class Session {
       progress.interval = interval_;
       progress.body = {{"phase", phase}, {"count", count}};
       channel_.send(std::move(progress));
+      hear_coupler();
     });
     solver_.join({answer.value<nlohmann::json>("case"), answer.value<int>("threads")});
     if (role_ == Role::structure) send_first_topology();
@@ -113,7 +115,29 @@ class Session {
     channel_.send(std::move(topology));
   }
 
-  /// The next command; the coupler's own PROGRESS only shows that it lives.
+  /// A command, or nothing if the message is the coupler's own PROGRESS, which only shows that it lives.
+  static std::optional<Message> command_in(Message&& message) {
+    if (message.type == MessageType::progress) return std::nullopt;
+    if (message.type == MessageType::fail)
+      throw CouplerLost(ExitCode::participant_died,
+                        "the coupler ended the run: " + message.value<std::string>("reason"));
+    return std::move(message);
+  }
+
+  /// Takes what the coupler sends to a solver at work: left in the queue, it would one day leave no room for heartbeats.
+  void hear_coupler() {
+    for (;;) {
+      auto event = channel_.receive(Seconds(0));
+      if (std::holds_alternative<ConnectionLost>(event))
+        throw CouplerLost(ExitCode::participant_died, "the coupler is gone: its connection broke");
+      Message* message = std::get_if<Message>(&event);
+      if (message == nullptr) return;
+      if (const auto command = command_in(std::move(*message)))
+        throw ProtocolError(fmt::format("{} came while the solver was at work", name(command->type)));
+    }
+  }
+
+  /// The next command.
   Message receive() {
     Seconds waited{0};
     const Seconds patience{0.5};
@@ -122,14 +146,9 @@ class Session {
       if (std::holds_alternative<ConnectionLost>(event))
         throw CouplerLost(ExitCode::participant_died, "the coupler is gone: its connection broke");
       if (Message* message = std::get_if<Message>(&event)) {
-        if (message->type == MessageType::progress) {
-          waited = Seconds(0);
-          continue;
-        }
-        if (message->type == MessageType::fail)
-          throw CouplerLost(ExitCode::participant_died,
-                            "the coupler ended the run: " + message->value<std::string>("reason"));
-        return std::move(*message);
+        if (auto command = command_in(std::move(*message))) return std::move(*command);
+        waited = Seconds(0);
+        continue;
       }
       waited += patience;
     }
