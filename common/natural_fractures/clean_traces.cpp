@@ -48,6 +48,7 @@ class Cleaning {
 
   void take(Trace trace) {
     const double whole = length(trace.segment);
+    if (whole == 0) return remove(trace, "without length");
     if (!keep_inside(trace)) return;
     if (!(length(trace.segment) >= network_.limits().shortest()))
       return remove(trace, fmt::format("{:.4g} m long, shorter than two edges", length(trace.segment)));
@@ -75,9 +76,7 @@ class Cleaning {
     const auto kept = clipped(trace.segment, inside_);
     if (!kept) {
       const bool outside = !clipped(trace.segment, domain_);
-      remove(trace, length(trace.segment) == 0 ? "without length"
-                    : outside                  ? "outside the domain"
-                                               : "along a side of the domain");
+      remove(trace, outside ? "outside the domain" : "along a side of the domain");
       return false;
     }
     const auto record_end = [&](Point old, Point fresh) {
