@@ -154,7 +154,11 @@ class Meeting(unittest.TestCase):
         def check(run, _):
             network = Network(run.directory)
             self.assertEqual(network.pieces(), 1)
-            self.assertEqual(sorted(network.degree.values()).count(3), 1)
+            meetings = list(csv.DictReader((run.directory / "meetings.csv").read_text().splitlines()))
+            self.assertEqual([entry["natural"] for entry in meetings], ["fault"])
+            self.assertEqual(meetings[0]["crosses"], "1")
+            # Four arms once the fracture goes on beyond.
+            self.assertEqual([degree for degree in network.degree.values() if degree > 2], [4])
             on_fault = [pair for pair, natural in zip(network.segments, network.natural) if natural]
             self.assertGreaterEqual(len(on_fault), 4)
             junction = max(network.degree, key=network.degree.get)
