@@ -136,6 +136,7 @@ class Worker {
     const nlohmann::json& structure = figures[static_cast<std::size_t>(Role::structure)];
     figures_.elements = structure.value("elements", std::uint64_t{0});
     figures_.nodes = structure.value("nodes", std::uint64_t{0});
+    figures_.slip_before_time_0 = structure.value("equilibration_slip", 0.0);
     figures_.wall.element = structure.value("element_seconds", 0.0);
     figures_.wall.joint = structure.value("joint_seconds", 0.0);
     figures_.wall.structure = structure.value("work_seconds", 0.0);

@@ -90,7 +90,7 @@ Json remeshing_json(const RemeshTotals& totals) {
           {"strain_energy_jump", totals.strain_energy_jump}};
 }
 
-Json natural_fractures_json(const MeetingTotals& meetings, const History& history) {
+Json natural_fractures_json(const MeetingTotals& meetings, double slip_at_rest, const History& history) {
   const IntervalRecord last = history.size() > 0 ? history.last() : IntervalRecord{};
   const NaturalFractureFigures& figures = last.natural_fractures;
   return {{"met", meetings.met},
@@ -102,6 +102,7 @@ Json natural_fractures_json(const MeetingTotals& meetings, const History& histor
           {"greatest_slip", figures.greatest_slip},
           {"slip_distance", figures.slip_distance},
           {"greatest_far_slip", figures.greatest_far_slip},
+          {"slip_before_time_0", slip_at_rest},
           {"greatest_junction_pressure", worst(column(history, "junction_pressure"))},
           {"found", last.ledger.found}};
 }
@@ -130,7 +131,7 @@ nlohmann::ordered_json summary_json(const Verdict& verdict, const History& histo
                          {"explicit_steps", sum(column(history, "explicit_steps"))},
                          {"insertions", figures.insertions}};
   summary["remeshing"] = remeshing_json(figures.remeshing);
-  summary["natural_fractures"] = natural_fractures_json(figures.meetings, history);
+  summary["natural_fractures"] = natural_fractures_json(figures.meetings, figures.slip_before_time_0, history);
   summary["wall"] = wall_json(figures.wall);
   summary["mesh"] = {{"elements", figures.elements}, {"nodes", figures.nodes}};
   if (figures.failure) summary["failure"] = failure_json(*figures.failure);

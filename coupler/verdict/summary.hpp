@@ -41,6 +41,7 @@ struct RunFigures {
   std::uint64_t insertions = 0;           ///< changes of the topology after revision 0
   RemeshTotals remeshing;
   MeetingTotals meetings;
+  double slip_before_time_0 = 0;          ///< greatest one that natural fractures needed to come to rest [m]
   std::optional<Failure> failure;
 };
 
