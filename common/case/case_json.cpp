@@ -27,9 +27,9 @@ namespace {
 
 template <class E, std::size_t N>
 nlohmann::json word_of(E value, const std::array<Named<E>, N>& names) {
-  for (const Named<E>& entry : names)
-    if (entry.value == value) return std::string(entry.name);
-  throw ProtocolError("the case holds a value of an enumeration that has no name");
+  std::string word = name_of(value, names);
+  if (word.empty()) throw ProtocolError("the case holds a value of an enumeration that has no name");
+  return word;
 }
 
 template <class E, std::size_t N>

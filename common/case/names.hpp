@@ -52,7 +52,7 @@ inline constexpr std::array persistence_readings{Named<PersistenceReading>{"repe
 inline constexpr std::array tip_rules{Named<TipRule>{"insertion", TipRule::insertion},
                                       Named<TipRule>{"damage", TipRule::damage}};
 
-/// The name of a value. @pre it has one
+/// The name of a value; empty if it has none.
 template <class E, std::size_t N>
 std::string name_of(E value, const std::array<Named<E>, N>& names) {
   for (const Named<E>& entry : names)

@@ -58,8 +58,7 @@ SchemeOutcome StaggeredScheme::run() {
   while (!clock_.finished() && status_.stop_signal() == 0) {
     const CouplingInterval interval = next_interval();
     const NetworkAnswer answer = advance_network_over(interval);  // the network leads (Sect. 3.1)
-    StructureResponse response =
-        advance_structure_over(interval, answer);  // the structure follows (Sect. 3.6)
+    auto response = advance_structure_over(interval, answer);     // the structure follows (Sect. 3.6)
     check_ledger(answer);
     record_interval(interval, answer, response);
     accept(interval, answer, std::move(response));
