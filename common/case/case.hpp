@@ -34,8 +34,8 @@ struct Refinement {
 };
 
 /// Target edge length: `fracture_size` within `corridor` of a fracture line, then growing by `gradation` per
-/// metre of distance up to `far_size`. Around the tips of a fracture that grows freely the mesh is refined as they arrive: `tip_size`
-/// within `tip_radius`, then growing by `tip_gradation` per metre.
+/// metre of distance up to `far_size`. Around the tips of a fracture that grows freely the mesh is refined as
+/// they arrive: `tip_size` within `tip_radius`, then growing by `tip_gradation` per metre.
 struct MeshControls {
   double fracture_size = 0;  ///< h [m]
   double far_size = 0;       ///< [m]
@@ -45,8 +45,8 @@ struct MeshControls {
   double tip_size = 0;       ///< h at a growing tip [m]; fracture_size by default
   double tip_radius = 0;     ///< [m]; 4 tip_size by default
   double tip_gradation = 0;  ///< [-]; 0.4 by default
-  /// Direction of one of the three families of edges of a hexagonal lattice [rad], counter-clockwise from x. Without it the interior points
-  /// are scattered by the seed.
+  /// Direction of one of the three families of edges of a hexagonal lattice [rad], counter-clockwise from x.
+  /// Without it the interior points are scattered by the seed.
   std::optional<double> lattice_angle;
   std::vector<Refinement> refinements;
   double natural_size = 0;  ///< h along natural fractures [m]; fracture_size by default
@@ -78,10 +78,11 @@ struct BulkFailure {
   double cohesion = 0;        ///< of the Mohr-Coulomb surface [Pa]; 0 = tension only
   double friction_angle = 0;  ///< phi [rad]
   double dilation_angle = 0;  ///< psi [rad], at most phi
-  /// Laminated rock: strength across the bedding; Rock::tensile_strength is that along it [Pa]. Isotropic without.
+  /// Laminated rock: strength across the bedding; Rock::tensile_strength is that along it [Pa]. Isotropic
+  /// without.
   std::optional<double> strength_across_bedding;
-  double bedding_angle = 0;   ///< direction of the bedding in the plane, counter-clockwise from x [rad]
-  double tip_exclusion = 3;   ///< no damage starts within this many tip_size of an active tip [-]
+  double bedding_angle = 0;  ///< direction of the bedding in the plane, counter-clockwise from x [rad]
+  double tip_exclusion = 3;  ///< no damage starts within this many tip_size of an active tip [-]
 };
 
 enum class PathRule {
@@ -99,7 +100,8 @@ enum class CrossingRule {
 };
 
 enum class TipRule {
-  insertion,  ///< a wet cohesive segment ahead of each tip whose averaged wet stress reaches a share of the strength
+  insertion,  ///< a wet cohesive segment ahead of each tip whose averaged wet stress reaches a share of the
+              ///< strength
   damage      ///< Profit et al. 2016: bulk damage first, then a segment along the failure path
 };
 
@@ -107,13 +109,15 @@ enum class TipRule {
 struct Growth {
   PathRule path = PathRule::prescribed;
   TipRule tip = TipRule::insertion;
-  double trigger = 0.65;         ///< share of the tip strength at which a segment is inserted [-]
-  double segment_length = 1;     ///< in tip_size [-]
+  double trigger = 0.65;                  ///< share of the tip strength at which a segment is inserted [-]
+  double segment_length = 1;              ///< in tip_size [-]
   double turn_limit = 1.308996938995747;  ///< greatest turn of a segment [rad], 75 degrees
-  bool nucleation = false;       ///< new fractures at failed clusters away from any tip; needs bulk failure
-  double failure_damage = 0.7;   ///< damage at which an element counts as failed [-]
-  double failure_length = 2;     ///< length of failure path that becomes a fracture, in tip_size [-]; tip = damage and nucleation
-  double wet_zone = 2.5;         ///< fluid pressure acts in damaged elements within this many tip_size of a tip [-]; tip = damage
+  bool nucleation = false;      ///< new fractures at failed clusters away from any tip; needs bulk failure
+  double failure_damage = 0.7;  ///< damage at which an element counts as failed [-]
+  double failure_length =
+      2;  ///< length of failure path that becomes a fracture, in tip_size [-]; tip = damage and nucleation
+  double wet_zone =
+      2.5;  ///< fluid pressure acts in damaged elements within this many tip_size of a tip [-]; tip = damage
   CrossingRule crossing = CrossingRule::gu_weng;
 };
 
@@ -160,16 +164,16 @@ enum class FractureKind {
 struct FractureLine {
   std::string name;
   FractureKind kind = FractureKind::open;
-  std::vector<Point> points;        ///< polyline [m], at least two
-  double tensile_strength = 0;      ///< [Pa]; of the rock for `intact`, of the cement (0 = none) for `natural`
-  double fracture_energy = 0;       ///< [J/m2]; the same
+  std::vector<Point> points;    ///< polyline [m], at least two
+  double tensile_strength = 0;  ///< [Pa]; of the rock for `intact`, of the cement (0 = none) for `natural`
+  double fracture_energy = 0;   ///< [J/m2]; the same
   double friction_coefficient = 0;  ///< tan(phi) [-]
   double cohesion = 0;              ///< of the friction law [Pa]
   double dilation_angle = 0;        ///< psi of touching faces that slide [rad]; natural only, like the rest
   double dilation_slip = 0;         ///< slip beyond which they dilate no more [m]
   double residual_aperture = 0;     ///< hydraulic aperture of touching faces [m]
   double joint_compliance = 0;      ///< hydraulic opening of touching faces per fluid pressure [m/Pa]
-  std::string set;                  ///< the set of natural fractures it belongs to; empty if it is given by itself
+  std::string set;  ///< the set of natural fractures it belongs to; empty if it is given by itself
 };
 
 /// A quantity that scatters: normal distribution, cut at three deviations and where it would not be positive.
@@ -182,7 +186,8 @@ enum class PersistenceReading {
   gap      ///< distance along strike from the end of one trace to the begin of the next
 };
 
-/// A set of natural fractures, from which traces are drawn (natural_fractures.hpp). Lengths in m, angles in rad.
+/// A set of natural fractures, from which traces are drawn (natural_fractures.hpp). Lengths in m, angles in
+/// rad.
 struct NaturalFractureSet {
   std::string name;
   Scattered orientation;  ///< azimuth of the strike, from north (y), clockwise
@@ -192,7 +197,7 @@ struct NaturalFractureSet {
   PersistenceReading reading = PersistenceReading::repeat;
   std::uint64_t seed = 1;
   double west = 0, east = 0, south = 0, north = 0;  ///< the region they fill
-  FractureLine faces;     ///< properties that each trace gets; no points
+  FractureLine faces;                               ///< properties that each trace gets; no points
 };
 
 /// tau = K gamma^n; Newtonian for n = 1 with K the viscosity.
@@ -242,7 +247,8 @@ struct Coupling {
   int maximum_steps = 20;                ///< upper limit
   double front_fraction = 0.02;          ///< an interval is at most this times h / tip speed
   double drift_tolerance = 1e-3;         ///< eta of the interval rule [-]
-  double compliance_factor = 0.3;        ///< share of the static interface compliance used; see docs/decisions/0001-robin-robin-coupling.md [-]
+  double compliance_factor = 0.3;        ///< share of the static interface compliance used; see
+                                         ///< docs/decisions/0001-robin-robin-coupling.md [-]
   double maximum_interval = 0;           ///< [s]; 0 = no further limit
   double fracture_normal_stiffness = 0;  ///< K_n [Pa/m] of profit2016; 0 = rigid
 };
@@ -254,7 +260,8 @@ struct Dynamics {
   double event_loading_ratio = 0.2;  ///< beta_e after a change of the pumping [-]
   double initial_mass_scale = 100;   ///< [-], >= 1
   double maximum_mass_scale = 1e8;   ///< [-]
-  bool equilibrate = true;  ///< let natural fractures come to rest under the in-situ stress before time 0, and count slip from there
+  bool equilibrate = true;  ///< let natural fractures come to rest under the in-situ stress before time 0,
+                            ///< and count slip from there
 };
 
 /// A rectangle of the rock that moves at time 0.
@@ -263,7 +270,8 @@ struct InitialVelocity {
   double west = 0, east = 0, south = 0, north = 0;  ///< sides of the rectangle [m]
 };
 
-/// A point whose stress and displacement, and those of the nearest joint within one element, are recorded at every coupling time.
+/// A point whose stress and displacement, and those of the nearest joint within one element, are recorded at
+/// every coupling time.
 struct Probe {
   std::string name;
   Point position{};  ///< [m]
@@ -279,6 +287,37 @@ struct Output {
   double interval = 0;           ///< simulated time between field reports [s]
   int reports_per_segment = 20;  ///< field reports in one HDF5 segment
   std::vector<Probe> probes;
+};
+
+/// The length out of the plane with which the moment of a seismic event is formed.
+enum class SourceThickness {
+  layer,           ///< domain.thickness
+  equidimensional  ///< the length of the event in the plane
+};
+
+/// How failures become seismic events; docs/microseismicity.md. Zero stands for what the mesh gives.
+struct Seismicity {
+  bool active = true;         ///< the structure tells of sources
+  double slip_rate = 1e-3;    ///< v_s: contact that moves slower is aseismic [m/s]
+  double stress_drop = 1e4;   ///< contact that loses less shear traction is aseismic [Pa]
+  double failure_rate = 0;    ///< rock and cohesion that open slower are aseismic [m/s]; 0: none of it is
+  double cluster_radius = 0;  ///< r_c [m]; 0 = 1.5 element sizes
+  double cluster_time = 0;    ///< t_c [s]; 0 = r_c over the speed of shear waves in the scaled mass
+  double rest_time = 0;       ///< longest pause within one source [s]; 0 = t_c
+  SourceThickness thickness = SourceThickness::layer;
+  int maximum_records = 100000;  ///< of one interval; more are merged, none is dropped
+  double voxel_size = 10;        ///< edge of the cells in which the stimulated volume is counted [m]
+  int voxel_events = 1;          ///< fewest events of a stimulated cell
+};
+
+/// Where on Earth the model lies; QuakeML cannot do without.
+struct Georeference {
+  double latitude = 0, longitude = 0;  ///< of the origin of the model [degree]
+  double depth = 0;                    ///< of the origin, positive down [m]
+  std::string start;                   ///< time 0 in UTC, "2026-01-31T12:00:00Z"
+  double azimuth = 0;                  ///< of the y axis, clockwise from north [rad]
+  /// A vertical section: x points along this azimuth [rad] and y up. Without it the model is a plan view.
+  std::optional<double> section_azimuth;
 };
 
 /// Nobody waits longer than this. Wall time, seconds.
@@ -316,7 +355,8 @@ struct Case {
   Growth growth;
   InSitu in_situ;
   Boundaries boundary;
-  std::vector<FractureLine> fractures;  ///< with the traces of the sets, cleaned; may be empty in a case without injection
+  std::vector<FractureLine>
+      fractures;  ///< with the traces of the sets, cleaned; may be empty in a case without injection
   std::vector<NaturalFractureSet> natural_fracture_sets;  ///< what they were drawn from
   std::vector<InitialVelocity> initial_velocities;
   std::vector<Fluid> fluids;
@@ -326,6 +366,8 @@ struct Case {
   Dynamics dynamics;
   NetworkControls network;
   Output output;
+  Seismicity seismicity;
+  std::optional<Georeference> georeference;
   Deadlines deadlines;
   PressureRange pressure_range;
   Exchange exchange;

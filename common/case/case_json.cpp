@@ -11,13 +11,13 @@
 #include "common/errors.hpp"
 
 /// A value that may be absent is null.
-template <>
-struct nlohmann::adl_serializer<std::optional<double>> {
-  static void to_json(json& target, const std::optional<double>& value) {
+template <class Value>
+struct nlohmann::adl_serializer<std::optional<Value>> {
+  static void to_json(json& target, const std::optional<Value>& value) {
     target = value ? json(*value) : json(nullptr);
   }
-  static void from_json(const json& source, std::optional<double>& value) {
-    value = source.is_null() ? std::nullopt : std::optional(source.get<double>());
+  static void from_json(const json& source, std::optional<Value>& value) {
+    value = source.is_null() ? std::nullopt : std::optional(source.get<Value>());
   }
 };
 
@@ -92,6 +92,12 @@ void to_json(nlohmann::json& json, CrossingRule value) {
 void from_json(const nlohmann::json& json, CrossingRule& value) {
   value = value_of(json, crossing_rules);
 }
+void to_json(nlohmann::json& json, SourceThickness value) {
+  json = word_of(value, source_thicknesses);
+}
+void from_json(const nlohmann::json& json, SourceThickness& value) {
+  value = value_of(json, source_thicknesses);
+}
 void to_json(nlohmann::json& json, PersistenceReading value) {
   json = word_of(value, persistence_readings);
 }
@@ -134,6 +140,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InitialVelocity, velocity, west, east, south,
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Probe, name, position)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NetworkControls, minimum_aperture, tolerance, maximum_iterations)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Output, interval, reports_per_segment, probes)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Seismicity, active, slip_rate, stress_drop, failure_rate, cluster_radius,
+                                   cluster_time, rest_time, thickness, maximum_records, voxel_size,
+                                   voxel_events)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Georeference, latitude, longitude, depth, start, azimuth, section_azimuth)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Deadlines, join, progress, finish)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PressureRange, minimum, maximum)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Exchange, endpoint)
@@ -141,7 +151,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Participants, network)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Case, schema, title, time, domain, mesh, rock, bulk_failure, growth,
                                    in_situ, boundary, fractures, natural_fracture_sets,
                                    initial_velocities, fluids, leak_off, injection, coupling,
-                                   dynamics, network, output, deadlines, pressure_range, exchange,
+                                   dynamics, network, output, seismicity, georeference, deadlines, pressure_range, exchange,
                                    participants)
 
 nlohmann::json case_to_json(const Case& value) {

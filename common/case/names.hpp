@@ -52,6 +52,10 @@ inline constexpr std::array persistence_readings{Named<PersistenceReading>{"repe
 inline constexpr std::array tip_rules{Named<TipRule>{"insertion", TipRule::insertion},
                                       Named<TipRule>{"damage", TipRule::damage}};
 
+inline constexpr std::array source_thicknesses{
+    Named<SourceThickness>{"layer", SourceThickness::layer},
+    Named<SourceThickness>{"equidimensional", SourceThickness::equidimensional}};
+
 /// The name of a value; empty if it has none.
 template <class E, std::size_t N>
 std::string name_of(E value, const std::array<Named<E>, N>& names) {
