@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "common/seismicity/source_record.hpp"
+
 namespace fissura::coupler {
 
 /// Cumulative fluid volumes of the whole thickness [m3]; see docs/protocol.md.
@@ -28,6 +30,15 @@ struct NaturalFractureFigures {
   double wetted_length = 0;   ///< trace length in the fracture network [m]
   double slip_distance = 0;   ///< greatest distance of a slipped joint from a hydraulic or open fracture [m]
   double greatest_far_slip = 0;  ///< greatest slip farther than ten tip sizes from any such fracture [m]
+};
+
+/// What the rock radiated and what it did in silence, from the start on; zero without sources.
+struct SeismicFigures {
+  std::uint64_t events = 0;     ///< that can no longer change
+  double seismic_moment = 0;    ///< sum of their scalar moments [N m]
+  double greatest_moment = 0;   ///< of one event [N m]
+  double aseismic_moment = 0;   ///< sum of the scalar moments of aseismic records [N m]
+  PlaneTensor source_moment{};  ///< of all sources, seismic or not: xx, yy, zz, xy [N m]
 };
 
 /// Everything scalar that is known at one coupling time; one line of history.csv and ledger.csv.
@@ -70,6 +81,7 @@ struct IntervalRecord {
   std::uint64_t crossings = 0;  ///< those of them at which the hydraulic fracture may cross
   double junction_pressure =
       0;  ///< greatest total pressure over the junctions of the network; 0 without any [Pa]
+  SeismicFigures seismicity;
   std::uint64_t elements = 0;  ///< of the mesh
   double mass_scale = 1;       ///< [-]
   double stable_step = 0;      ///< [s]

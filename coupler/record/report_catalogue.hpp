@@ -43,10 +43,18 @@ struct StoredReport {
       joints;  ///< first dimension: contact units; empty without any, else with `position` [n x 2] (m)
 };
 
+/// Records of seismic sources, several intervals together.
+struct StoredSources {
+  std::uint64_t number = 0;         ///< from 1, through all segments
+  double time = 0;                  ///< to which the records are complete [s]
+  std::vector<StoredArray> arrays;  ///< first dimension: records
+};
+
 struct ReportCatalogue {
   std::map<std::uint64_t, StoredMesh> meshes;       ///< by geometry number
   std::map<std::uint64_t, StoredNetwork> networks;  ///< by topology revision
   std::vector<StoredReport> reports;                ///< in time order
+  std::vector<StoredSources> sources;               ///< in time order
 };
 
 }  // namespace fissura::coupler

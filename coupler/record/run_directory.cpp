@@ -23,9 +23,25 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* lock_name = "lock";
-constexpr std::array our_entries{"run.json",    "effective_case.json", "input",        "columns.json",
-                                 "history.csv", "ledger.csv",          "log.jsonl",    "segments",
-                                 "fields.xdmf", "fractures.xdmf",      "summary.json", "report.html"};
+constexpr std::array our_entries{"run.json",
+                                 "effective_case.json",
+                                 "input",
+                                 "columns.json",
+                                 "history.csv",
+                                 "ledger.csv",
+                                 "log.jsonl",
+                                 "segments",
+                                 "fields.xdmf",
+                                 "summary.json",
+                                 "report.html",
+                                 "joints.xdmf",
+                                 "meetings.csv",
+                                 "remeshing.csv",
+                                 "fractures.xdmf",
+                                 "probes.csv",
+                                 "seismicity",
+                                 "natural_fractures.csv",
+                                 "natural_fractures.json"};
 
 [[noreturn]] void refuse(const std::string& sentence) {
   throw Error(ExitCode::precondition, sentence);

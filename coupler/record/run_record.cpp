@@ -68,11 +68,22 @@ void RunRecord::interval(const IntervalRecord& record, const std::vector<ProbeVa
   time_ = record.time;
 }
 
+void RunRecord::sources(double time, const std::vector<SourceRecord>& records) {
+  sources_.insert(sources_.end(), records.begin(), records.end());
+  sources_time_ = time;
+}
+
+void RunRecord::write_sources() {
+  segments_.add_sources(sources_time_, sources_);
+  sources_.clear();
+}
+
 void RunRecord::fields(double time, const Message& structure_fields, const Message& network_fields,
                        const FractureNetwork& network, const std::vector<NodeField>& node_fields) {
   history_.flush();
   remesh_ledger_.flush();
   meeting_ledger_.flush();
+  write_sources();
   if (segments_.add(time, structure_fields, network_fields, network, node_fields))
     write_xdmf(directory(), segments_.closed());
 }
@@ -87,6 +98,7 @@ void RunRecord::close() {
   history_.flush();
   remesh_ledger_.flush();
   meeting_ledger_.flush();
+  write_sources();
   if (segments_.close()) write_xdmf(directory(), segments_.closed());
 }
 

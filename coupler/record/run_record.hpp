@@ -53,6 +53,10 @@ class RunRecord {
   /// Throws StorageError, and ProtocolError if there are more or fewer.
   void interval(const IntervalRecord& record, const std::vector<ProbeValues>& probes);
 
+  /// Keeps the records of an interval that ends at simulated `time` [s] for the next field report or close(),
+  /// which write them to the segment.
+  void sources(double time, const std::vector<SourceRecord>& records);
+
   /// One field report at simulated `time` [s]: see Segments::add for the arrays of both FIELDS messages.
   /// Flushes the tables; closes the segment when it is full, and then the XDMF files name it
   /// too. `node_fields` hold one value per network node, in the order of network.nodes(). Throws
@@ -78,11 +82,15 @@ class RunRecord {
   void finish(const nlohmann::ordered_json& summary);
 
  private:
+  void write_sources();
+
   RunDirectory directory_;
   History history_;
   RemeshLedger remesh_ledger_;
   MeetingLedger meeting_ledger_;
   Segments segments_;
+  std::vector<SourceRecord> sources_;  ///< not yet in a segment
+  double sources_time_ = 0;            ///< to which they are complete [s]
   std::optional<EventLog> events_;
   std::uint64_t interval_ = 0;  ///< of the last interval()
   double time_ = 0;             ///< of the last interval() [s]

@@ -99,6 +99,24 @@ bool Segments::add(double time, const Message& all_structure_fields, const Messa
   return open_.reports.size() == reports_per_segment_ && close();
 }
 
+void Segments::add_sources(double time, const std::vector<SourceRecord>& records) {
+  if (records.empty()) return;
+  try {
+    if (!file_) open_segment();
+    StoredSources stored{sources_ + 1, time, {}};
+    const std::string group = fmt::format("/sources/{:06}", stored.number);
+    file_->create_group(group);
+    for (const Array& array : arrays_of(records))
+      stored.arrays.push_back(write(group + "/" + array.name, array.name, array));
+    file_->write_attribute(group, "time", time);
+    open_.sources.push_back(std::move(stored));
+    ++sources_;
+  } catch (const StorageError&) {
+    abandon_segment();
+    throw;
+  }
+}
+
 bool Segments::close() {
   if (!file_) return false;
   try {
@@ -110,6 +128,7 @@ bool Segments::close() {
   file_.reset();
   closed_.meshes.merge(open_.meshes);
   closed_.networks.merge(open_.networks);
+  closed_.sources.insert(closed_.sources.end(), open_.sources.begin(), open_.sources.end());
   closed_.reports.insert(closed_.reports.end(), open_.reports.begin(), open_.reports.end());
   open_ = {};
   return true;
@@ -153,6 +172,8 @@ void Segments::check_and_publish() {
     for (const auto* arrays : {&report.mesh_nodes, &report.mesh_elements, &report.network_nodes,
                                &report.network_segments, &report.joints})
       for (const StoredArray& array : *arrays) check(array);
+  for (const StoredSources& sources : open_.sources)
+    for (const StoredArray& array : sources.arrays) check(array);
 
   const std::string hash = sha256_of_file(part());
   std::error_code failure;
@@ -163,14 +184,19 @@ void Segments::check_and_publish() {
 }
 
 void Segments::append_to_index(const std::string& file_hash, std::uintmax_t file_size) {
-  const StoredReport &first = open_.reports.front(), &last = open_.reports.back();
   nlohmann::ordered_json line;
   line["file"] = segment_name(segment_);
   line["sha256"] = file_hash;
   line["bytes"] = file_size;
-  line["reports"] = {first.number, last.number};
-  line["time"] = {first.time, last.time};
-  line["revision"] = {first.revision, last.revision};
+  line["reports"] = {reports_ - open_.reports.size() + 1, reports_};
+  line["time"] = nlohmann::ordered_json::array();
+  line["revision"] = nlohmann::ordered_json::array();
+  if (!open_.reports.empty()) {
+    const StoredReport &first = open_.reports.front(), &last = open_.reports.back();
+    line["time"] = {first.time, last.time};
+    line["revision"] = {first.revision, last.revision};
+  }
+  line["sources"] = {sources_ - open_.sources.size() + 1, sources_};
   line["meshes"] = nlohmann::ordered_json::array();
   for (const auto& [geometry, mesh] : open_.meshes) line["meshes"].push_back(geometry);
   line["networks"] = nlohmann::ordered_json::array();

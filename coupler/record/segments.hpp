@@ -10,6 +10,7 @@
 
 #include "common/exchange/message.hpp"
 #include "common/fracture_network/fracture_network.hpp"
+#include "common/seismicity/source_record.hpp"
 #include "coupler/record/checked_file.hpp"
 #include "coupler/record/hdf5_file.hpp"
 #include "coupler/record/report_catalogue.hpp"
@@ -42,6 +43,10 @@ class Segments {
   bool add(double time, const Message& structure_fields, const Message& network_fields,
            const FractureNetwork& network, const std::vector<NodeField>& node_fields);
 
+  /// Adds records of seismic sources, complete up to the simulated `time` [s], in the order given: group
+  /// /sources/NNNNNN with the arrays of arrays_of(). Nothing without records. Throws StorageError.
+  void add_sources(double time, const std::vector<SourceRecord>& records);
+
   /// Closes the open segment; false if there is none. Throws StorageError.
   bool close();
 
@@ -66,6 +71,7 @@ class Segments {
   std::uint64_t reports_per_segment_;
   std::uint64_t segment_ = 0;     ///< number of the open or last segment, from 1
   std::uint64_t reports_ = 0;     ///< in all segments
+  std::uint64_t sources_ = 0;     ///< groups of source records in all segments
   std::optional<Hdf5File> file_;  ///< the open segment
   std::optional<CheckedFile> index_;
   ReportCatalogue closed_;  ///< everything up to the last closed segment

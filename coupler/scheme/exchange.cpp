@@ -129,6 +129,7 @@ StructureResponse read_response(const Message& message, const FractureNetwork& n
   if (message.body.contains("probes"))
     for (const nlohmann::json& probe : message.body["probes"])
       response.probes.push_back(probe_values_from_json(probe));
+  response.sources = records_of(message.arrays);
   if (const auto proposal = message.body.find("insertion"); proposal != message.body.end())
     response.proposal = insertion_from_json(*proposal);
   return response;

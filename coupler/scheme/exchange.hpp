@@ -8,6 +8,7 @@
 #include "common/case/case.hpp"
 #include "common/exchange/message.hpp"
 #include "common/fracture_network/fracture_network.hpp"
+#include "common/seismicity/source_record.hpp"
 #include "coupler/record/interval_record.hpp"
 #include "coupler/record/meetings.hpp"
 #include "coupler/record/probes.hpp"
@@ -34,7 +35,8 @@ struct StructureResponse {
   double cohesive_work = 0, failure_work = 0;  ///< so far [J]; 0 from a structure that does not tell
   std::uint64_t elements = 0;                  ///< of the mesh; the same
   NaturalFractureFigures natural_fractures;    ///< the same
-  std::vector<ProbeValues> probes;  ///< in the order of the case; empty from a structure that does not tell
+  std::vector<ProbeValues> probes;    ///< in the order of the case; empty from a structure that does not tell
+  std::vector<SourceRecord> sources;  ///< in any order; empty from a structure that does not tell
   std::optional<Insertion> proposal;
 };
 
