@@ -97,6 +97,24 @@ void look_at_controls(const Case& value, Plausibility& plausibility) {
                        "elements along the fractures", {1, 1e7});
 }
 
+void look_at_seismicity(const Case& value, Plausibility& plausibility) {
+  const Seismicity& seismicity = value.seismicity;
+  plausibility.look_at_magnitude("seismicity.slip_rate", seismicity.slip_rate, "m/s", {1e-9, 10});
+  plausibility.look_at_magnitude("seismicity.failure_rate", seismicity.failure_rate, "m/s", {1e-9, 10});
+  plausibility.look_at_magnitude("seismicity.stress_drop", seismicity.stress_drop, "Pa", {1, 1e8});
+  plausibility.look_at_magnitude("seismicity.cluster_time", seismicity.cluster_time, "s", {1e-6, 1e4});
+  plausibility.look_at_magnitude("seismicity.rest_time", seismicity.rest_time, "s", {1e-6, 1e4});
+  plausibility.look_at("seismicity.voxel_size", seismicity.voxel_size, "m", {1e-3, 1e4});
+  if (value.georeference)
+    plausibility.look_at("georeference.depth", value.georeference->depth, "m", {-1e4, 1e5});
+  const double radius = seismicity.cluster_radius, size = value.mesh.fracture_size;
+  if (radius > 0 && radius < size)
+    plausibility.warn("seismicity.cluster_radius", fmt::format("{:.6g} m", radius),
+                      fmt::format("usually at least mesh.fracture_size, {:.6g} m: neighbours along a fracture "
+                                  "never form one event",
+                                  size));
+}
+
 void look_at_natural_fractures(const Case& value, Plausibility& plausibility) {
   const auto slip = slip_in_situ(value);
   if (!slip) return;
@@ -116,6 +134,7 @@ FaultList implausible_values(const Case& value, const SourceValue& document) {
   look_at_fluid(value, plausibility);
   look_at_treatment(value, plausibility);
   look_at_controls(value, plausibility);
+  look_at_seismicity(value, plausibility);
   look_at_natural_fractures(value, plausibility);
   return std::move(plausibility).warnings();
 }

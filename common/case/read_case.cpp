@@ -91,6 +91,8 @@ Sections read_sections(input::TableReader& document, input::CaseFiles& files) {
   result.dynamics = input::read_dynamics(document);
   result.network = input::read_network(document);
   result.output = input::read_output(document);
+  result.seismicity = input::read_seismicity(document);
+  result.georeference = input::read_georeference(document);
   result.initial_velocities = input::read_initial_velocities(document);
   result.deadlines = input::read_deadlines(document);
   result.pressure_range = input::read_pressure_range(document);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "common/case/case.hpp"
@@ -83,6 +84,11 @@ Output read_output(TableReader& document);
 std::vector<InitialVelocity> read_initial_velocities(TableReader& document);
 Deadlines read_deadlines(TableReader& document);
 PressureRange read_pressure_range(TableReader& document);
+
+// read_seismicity.cpp
+Seismicity read_seismicity(TableReader& document);
+/// Nothing without the table.
+std::optional<Georeference> read_georeference(TableReader& document);
 
 // read_participants.cpp
 Exchange read_exchange(TableReader& document);

@@ -117,7 +117,8 @@ std::optional<double> factor_to_si(const std::string& unit, const Dimension& dim
   const std::string si(dimension.unit);
   const double exponent = dimension.second_exponent;
   if (exponent == 0) {
-    if (si == dimension::angle.unit && !names_an_angle(unit)) return {};
+    const bool is_angle = si == dimension::angle.unit || si == dimension::arc.unit;
+    if (is_angle && !names_an_angle(unit)) return {};
     return factor_between(unit, si);
   }
   if (const auto split = split_fractional_time(unit, exponent)) {

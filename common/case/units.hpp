@@ -27,6 +27,7 @@ inline constexpr Dimension energy_per_area{"an energy per area", "J/m^2", "50 N/
 inline constexpr Dimension velocity{"a velocity", "m/s", "2 m/s"};
 inline constexpr Dimension acceleration{"an acceleration", "m/s^2", "-9.81 m/s^2"};
 inline constexpr Dimension angle{"an angle", "radian", "40 degree"};
+inline constexpr Dimension arc{"an angle", "degree", "56.7 degree"};  ///< kept in degrees
 inline constexpr Dimension viscosity{"a viscosity", "Pa s", "1.67e-3 Pa s"};
 inline constexpr Dimension rate{"a volume rate", "m^3/s", "1e-3 m^3/s"};
 inline constexpr Dimension well_index{"a well index", "m^2/s/Pa", "1e-5 m^2/s/Pa"};

@@ -58,6 +58,11 @@ north = "10 m"
 [[output.probe]]
 name = "beside"
 position = ["0 m", "1 m"]
+[georeference]
+latitude = "56.7 degree"
+longitude = "-3 degree"
+depth = "2 km"
+start = "2026-01-31T12:00:00Z"
 [[initial_velocity]]
 velocity = ["1 m/s", "0 m/s"]
 west = "0 m"
@@ -76,7 +81,8 @@ TEST_CASE("every key of every table stands in docs/case_format.md", "[common][ca
       "in_situ.gradient.", "boundary.", "fracture[0].", "fracture[1].", "natural_fractures.",
       "natural_fractures.set[0].", "natural_fractures.trace[0].", "fluid[0].", "leak_off.", "injection.",
       "injection.perforation[0].", "injection.stage[0].", "coupling.", "dynamics.", "network.", "output.",
-      "output.probe[0].", "initial_velocity[0].", "deadlines.", "pressure_range.", "exchange.", "participants.");
+      "output.probe[0].", "initial_velocity[0].", "seismicity.", "georeference.",
+      "deadlines.", "pressure_range.", "exchange.", "participants.");
   const Folder folder;
   folder.write("case.toml", valid_case + optional_tables);
   const std::vector<std::string> faults = faults_in(folder, {table + "qqq=1"});
