@@ -9,7 +9,8 @@
 /// M_zz, as plane strain has it; x y z is a right-handed system [N m].
 namespace fissura::coupler {
 
-/// Eigenvalues in descending order with their unit eigenvectors (x, y, z), right-handed [N m].
+/// Eigenvalues in descending order with their unit eigenvectors (x, y, z), right-handed [N m]. Where the one
+/// across the plane equals another, z is the middle axis.
 struct PrincipalMoments {
   std::array<double, 3> value{};
   std::array<std::array<double, 3>, 3> axis{};
@@ -66,13 +67,14 @@ struct Geography {
 
 /// Strike clockwise from north with the dip to the right, dip from horizontal, rake of the hanging wall's
 /// slip, counter-clockwise from strike (Aki & Richards 2002): 0 left-lateral, +90 thrust [rad].
-/// 0 <= strike < 2 pi, 0 <= dip <= pi/2, -pi < rake <= pi.
+/// 0 <= strike < 2 pi, 0 <= dip <= pi/2, -pi < rake <= pi. Of the two strikes of a vertical plane it is the
+/// one within a right angle of north, east before west; a horizontal plane strikes north.
 struct NodalPlane {
   double strike = 0, dip = 0, rake = 0;
 };
 
 /// Of the fault with this unit normal (x, y, z, either sign) whose side at +normal moved by `slip` against
-/// the other one; only the part of the slip in the plane counts.
+/// the other one; only the part of the slip in the plane counts, and without any the rake is 0.
 NodalPlane nodal_plane(const std::array<double, 3>& normal, const std::array<double, 3>& slip,
                        const Geography& geography);
 

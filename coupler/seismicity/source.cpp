@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupler/seismicity/source.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "coupler/seismicity/moment_tensor.hpp"
+
+namespace fissura::coupler {
+
+namespace {
+
+/// Opening and slip of a crack that has the moment: n.M.n = (lambda + 2 mu) A opening, t.M.n = mu A slip.
+std::array<double, 2> equivalent_jump(const SourceRecord& record, double area, const SourceRules& rules) {
+  const auto [nx, ny] = record.normal;
+  const auto [xx, yy, zz, xy] = record.moment;
+  const double across = nx * nx * xx + ny * ny * yy + 2 * nx * ny * xy;
+  const double along = nx * ny * (xx - yy) + (ny * ny - nx * nx) * xy;
+  return {across / ((rules.lame + 2 * rules.shear) * area), along / (rules.shear * area)};
+}
+
+}  // namespace
+
+static_assert(sizeof(Source) == 31 * sizeof(double) + 3 * sizeof(std::uint64_t) + 4 * sizeof(std::uint32_t));
+
+Entity entity_of(const SourceRecord& record) {
+  const bool bulk = in_bulk(record.kind);
+  return {record.entity, bulk ? record.geometry : 0, bulk ? 1u : 0u};
+}
+
+bool comes_before(const Source& a, const Source& b) {
+  const auto key = [](const Source& s) {
+    return std::tuple(s.time, s.bulk == 0, s.number, s.geometry, s.source_class, s.begin);
+  };
+  return key(a) < key(b);
+}
+
+bool SourceRules::seismic(const SourceRecord& record) const {
+  if (!record.failing) return false;
+  const double rate = record.peak_rate * std::sqrt(record.mass_scale);
+  const bool rock = in_bulk(record.kind) || record.kind == SourceKind::new_crack;
+  return rate >= (rock ? thresholds.failure_rate : thresholds.slip_rate);
+}
+
+bool SourceRules::seismic(const Source& source) const {
+  return source.contact == 0 || source.shear_drop() >= thresholds.stress_drop;
+}
+
+double SourceRules::cluster_radius(double element_size) const {
+  return thresholds.cluster_radius > 0 ? thresholds.cluster_radius : 1.5 * element_size;
+}
+
+double SourceRules::cluster_time(double element_size, double mass_scale) const {
+  if (thresholds.cluster_time > 0) return thresholds.cluster_time;
+  return cluster_radius(element_size) * std::sqrt(mass_scale) / shear_wave_speed;
+}
+
+double SourceRules::rest_time(double element_size, double mass_scale) const {
+  return thresholds.rest_time > 0 ? thresholds.rest_time : cluster_time(element_size, mass_scale);
+}
+
+OpenSource::OpenSource(const SourceRecord& first, const SourceRules& rules) {
+  const Entity entity = entity_of(first);
+  source_.number = entity.number;
+  source_.geometry = entity.geometry;
+  source_.bulk = entity.bulk;
+  source_.source_class = class_of(first.kind);
+  source_.contact = first.kind == SourceKind::contact_slip ? 1 : 0;
+  source_.fracture = first.fracture;
+  source_.line = first.line;
+  source_.position = first.position;
+  source_.begin = first.begin;
+  source_.end = first.end;
+  source_.shear_before = first.shear_before;
+  source_.smallest_size = source_.greatest_size = first.element_size;
+  add(first, rules);
+}
+
+void OpenSource::add(const SourceRecord& record, const SourceRules& rules) {
+  const double weight = scalar_moment(record.moment);
+  moment_.add(record.moment);
+  pseudo_moment_.add(record.pseudo_moment);
+  scalar_sum_.add(weight);
+  weighted_time_.add(weight * (record.centroid_time - source_.begin));
+
+  const auto [nx, ny] = record.normal;
+  source_.plane[0] += weight * nx * nx;
+  source_.plane[1] += weight * ny * ny;
+  source_.plane[2] += weight * nx * ny;
+  const bool bulk = in_bulk(record.kind);
+  const double area = bulk ? record.extent / record.element_size : record.extent;
+  const double length = bulk ? record.element_size : record.extent / rules.thickness;
+  if (bulk) {
+    const auto [opening, slip] = equivalent_jump(record, area, rules);
+    source_.opening += opening;
+    source_.slip += slip;
+  } else {
+    source_.opening += record.jump[0] * nx + record.jump[1] * ny;
+    source_.slip += record.jump[0] * ny - record.jump[1] * nx;
+  }
+  source_.area = std::max(source_.area, area);
+  source_.length = std::max(source_.length, length);
+
+  source_.end = std::max(source_.end, record.end);
+  source_.shear_after = record.shear_after;
+  source_.pressure_sum += record.fluid_pressure;
+  source_.peak_rate = std::max(source_.peak_rate, record.peak_rate);
+  source_.smallest_size = std::min(source_.smallest_size, record.element_size);
+  source_.greatest_size = std::max(source_.greatest_size, record.element_size);
+  source_.mass_scale = std::max(source_.mass_scale, record.mass_scale);
+  source_.interval = std::max(source_.interval, record.interval);
+  ++source_.records;
+  goes_on_until_ = source_.end + rules.rest_time(source_.greatest_size, source_.mass_scale);
+}
+
+Source OpenSource::closed(const SourceRules& rules) const {
+  Source source = source_;
+  source.moment = moment_.value();
+  source.pseudo_moment = pseudo_moment_.value();
+  source.scalar_sum = scalar_sum_.value();
+  const double from_begin =
+      source.scalar_sum > 0 ? weighted_time_.value() / source.scalar_sum : 0.5 * (source.end - source.begin);
+  source.time = std::clamp(source.begin + from_begin, source.begin, source.end);
+  source.cluster_radius = rules.cluster_radius(source.greatest_size);
+  source.cluster_time = rules.cluster_time(source.greatest_size, source.mass_scale);
+  source.reach = source.time + source.cluster_time;
+  return source;
+}
+
+}  // namespace fissura::coupler
