@@ -44,6 +44,7 @@ one_door("(umfpack|klu|cholmod|amd|suitesparse)" "network/linear_solver\\.cpp")
 one_door("CGAL" "structure/mesh/[a-z_]*\\.cpp")
 one_door("spdlog" "common/log\\.cpp")
 one_door("openssl" "common/hash\\.cpp")
+one_door("pugixml" "coupler/seismicity/catalogue/quakeml\\.cpp")
 
 if(broken)
   message(FATAL_ERROR "forbidden includes:${broken}")

@@ -111,12 +111,12 @@ struct Hdf5File::Handle {
     check(attribute.close(), "close attribute", name);
   }
 
-  void write_unit(hid_t dataset, const std::string& unit) const {
-    Identifier type = own(H5Tcopy(H5T_C_S1), H5Tclose, "describe attribute", "unit");
-    check(H5Tset_size(type.id(), std::max<std::size_t>(unit.size(), 1)), "describe attribute", "unit");
-    check(H5Tset_strpad(type.id(), H5T_STR_NULLPAD), "describe attribute", "unit");
-    check(H5Tset_cset(type.id(), H5T_CSET_UTF8), "describe attribute", "unit");
-    write_attribute(dataset, "unit", type.id(), unit.c_str());
+  void write_text(hid_t object, const std::string& name, const std::string& text) const {
+    Identifier type = own(H5Tcopy(H5T_C_S1), H5Tclose, "describe attribute", name);
+    check(H5Tset_size(type.id(), std::max<std::size_t>(text.size(), 1)), "describe attribute", name);
+    check(H5Tset_strpad(type.id(), H5T_STR_NULLPAD), "describe attribute", name);
+    check(H5Tset_cset(type.id(), H5T_CSET_UTF8), "describe attribute", name);
+    write_attribute(object, name, type.id(), text.c_str());
   }
 
   std::string read_unit(hid_t dataset) const {
@@ -127,8 +127,15 @@ struct Hdf5File::Handle {
     return unit.substr(0, unit.find('\0'));
   }
 
+  /// Equal content shall give equal files.
+  Identifier timeless(hid_t kind, const std::string& object) const {
+    Identifier properties = own(H5Pcreate(kind), H5Pclose, "set the properties of", object);
+    check(H5Pset_obj_track_times(properties.id(), false), "set the properties of", object);
+    return properties;
+  }
+
   Identifier creation_properties(const std::vector<hsize_t>& extent, const std::string& dataset) const {
-    Identifier properties = own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "set the properties of", dataset);
+    Identifier properties = timeless(H5P_DATASET_CREATE, dataset);
     hsize_t row = 1;
     for (std::size_t dimension = 1; dimension < extent.size(); ++dimension) row *= extent[dimension];
     if (extent[0] == 0 || row == 0) return properties;
@@ -190,7 +197,10 @@ Identifier access_properties() {
 
 Hdf5File Hdf5File::create(const std::filesystem::path& file) {
   Identifier access = access_properties();
-  Identifier id(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose);
+  Identifier creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  if (creation.id() < 0 || H5Pset_obj_track_times(creation.id(), false) < 0)
+    throw StorageError("cannot set up HDF5: " + library_reason());
+  Identifier id(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
   if (id.id() < 0) throw StorageError(fmt::format("cannot create {}: {}", file.string(), library_reason()));
   return Hdf5File(std::make_unique<Handle>(Handle{file, std::move(id)}));
 }
@@ -217,14 +227,15 @@ void Hdf5File::write(const std::string& dataset, const Array& array) {
   if (!array.bytes.empty())
     handle_->check(H5Dwrite(id.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, array.bytes.data()), "write",
                    dataset);
-  handle_->write_unit(id.id(), array.unit);
+  handle_->write_text(id.id(), "unit", array.unit);
   handle_->check(id.close(), "close", dataset);
 }
 
 void Hdf5File::create_group(const std::string& group) {
   Identifier links = handle_->group_creating_links(group);
+  Identifier properties = handle_->timeless(H5P_GROUP_CREATE, group);
   Identifier id =
-      handle_->own(H5Gcreate2(handle_->file.id(), group.c_str(), links.id(), H5P_DEFAULT, H5P_DEFAULT),
+      handle_->own(H5Gcreate2(handle_->file.id(), group.c_str(), links.id(), properties.id(), H5P_DEFAULT),
                    H5Gclose, "create", group);
   handle_->check(id.close(), "close", group);
 }
@@ -239,6 +250,13 @@ void Hdf5File::write_attribute(const std::string& object, const std::string& att
   Identifier id =
       handle_->own(H5Oopen(handle_->file.id(), object.c_str(), H5P_DEFAULT), H5Oclose, "open", object);
   handle_->write_attribute(id.id(), attribute, H5T_STD_U64LE, &value);
+}
+
+void Hdf5File::write_attribute(const std::string& object, const std::string& attribute,
+                               const std::string& text) {
+  Identifier id =
+      handle_->own(H5Oopen(handle_->file.id(), object.c_str(), H5P_DEFAULT), H5Oclose, "open", object);
+  handle_->write_text(id.id(), attribute, text);
 }
 
 bool Hdf5File::has(const std::string& dataset) const {

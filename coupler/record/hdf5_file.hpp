@@ -34,6 +34,7 @@ class Hdf5File {
   /// Adds an attribute to a group or dataset that exists.
   void write_attribute(const std::string& object, const std::string& attribute, double value);
   void write_attribute(const std::string& object, const std::string& attribute, std::uint64_t value);
+  void write_attribute(const std::string& object, const std::string& attribute, const std::string& text);
 
   /// Whether there is such a dataset.
   [[nodiscard]] bool has(const std::string& dataset) const;
