@@ -20,6 +20,17 @@ PlaneTensor operator+(const PlaneTensor& a, const PlaneTensor& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]};
 }
 
+// Records after which a call closes what it can, to keep little in memory.
+constexpr std::size_t stretch = 4096;
+
+/// The record with its times not before `time`: clusters that ended before are gone.
+SourceRecord since(double time, SourceRecord record) {
+  record.begin = std::max(record.begin, time);
+  record.centroid_time = std::max(record.centroid_time, time);
+  record.end = std::max(record.end, time);
+  return record;
+}
+
 /// Sums in the order of what they sum; those of records and of sources are kept apart, so that their bits do
 /// not depend on how the records were split over calls.
 struct Accounts {
@@ -54,15 +65,24 @@ class Extraction::State {
         chains_(rules_) {}
 
   std::vector<SeismicEvent> advance(double time, const std::vector<SourceRecord>& records) {
-    for (const std::uint32_t index : order_of(records)) take(records[index]);
-    chains_.close_before(time, waiting_);
-    return cluster(std::min(time, chains_.earliest_begin()));
+    const std::vector<std::uint32_t> order = order_of(records);
+    const std::vector<double> begins = begins_from(order, records);
+    std::vector<SeismicEvent> events;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      take(records[order[i]]);
+      if ((i + 1) % stretch == 0) close(std::min(time, begins[i + 1]), events);
+    }
+    called_ = std::max(called_, time);
+    close(called_, events);
+    sums_ = accounts_.sums();
+    return events;
   }
 
   std::vector<SeismicEvent> finish() {
-    const double never = std::numeric_limits<double>::infinity();
-    chains_.close_before(never, waiting_);
-    return cluster(never);
+    std::vector<SeismicEvent> events;
+    close(std::numeric_limits<double>::infinity(), events);
+    sums_ = accounts_.sums();
+    return events;
   }
 
   [[nodiscard]] const SeismicSums& sums() const { return sums_; }
@@ -78,6 +98,7 @@ class Extraction::State {
   [[nodiscard]] std::vector<std::byte> save() const {
     ByteWriter writer;
     writer.put(format);
+    writer.put(called_);
     writer.put(accounts_);
     writer.put(chains_.open_sources());
     writer.put(waiting_.sources());
@@ -93,6 +114,7 @@ class Extraction::State {
       throw Error(ExitCode::checkpoint_unusable, "the saved state is not one of the extraction of events");
     std::vector<OpenSource> open;
     std::vector<Source> waiting, clustered;
+    reader.get(called_);
     reader.get(accounts_);
     reader.get(open);
     reader.get(waiting);
@@ -112,15 +134,30 @@ class Extraction::State {
     ++accounts_.records;
     accounts_.raw.add(record.moment);
     if (rules_.seismic(record)) {
-      chains_.add(record, waiting_);
+      chains_.add(since(called_, record), waiting_);
     } else {
       accounts_.slow_records.add(record.moment);
       accounts_.slow_record_sum.add(scalar_moment(record.moment));
     }
   }
 
-  std::vector<SeismicEvent> cluster(double watermark) {
-    while (!waiting_.empty() && waiting_.first().time < watermark) {
+  /// Earliest begin of a seismic record from each place in the order on [s]; infinite at the end.
+  [[nodiscard]] std::vector<double> begins_from(const std::vector<std::uint32_t>& order,
+                                                const std::vector<SourceRecord>& records) const {
+    std::vector<double> begins(order.size() + 1, std::numeric_limits<double>::infinity());
+    for (std::size_t i = order.size(); i-- > 0;) {
+      const SourceRecord& record = records[order[i]];
+      begins[i] = begins[i + 1];
+      if (rules_.seismic(record)) begins[i] = std::min(begins[i], std::max(record.begin, called_));
+    }
+    return begins;
+  }
+
+  /// Closes what no record that begins at `time` or later can become a part of.
+  void close(double time, std::vector<SeismicEvent>& events) {
+    chains_.close_before(time, waiting_);
+    const double watermark = std::min(time, chains_.earliest_begin());
+    for (; !waiting_.empty() && waiting_.first().time < watermark; waiting_.pop()) {
       const Source& source = waiting_.first();
       if (rules_.seismic(source)) {
         clustering_.add(source);
@@ -128,16 +165,12 @@ class Extraction::State {
         accounts_.quiet_sources.add(source.moment);
         accounts_.quiet_source_sum.add(source.scalar_sum);
       }
-      waiting_.pop();
     }
-    std::vector<SeismicEvent> events;
     for (const std::vector<Source>& sources : clustering_.take_closed(watermark)) {
       events.push_back(event_of(sources, rules_, geography_));
       account(sources);
       events.back().id = accounts_.event_count;
     }
-    sums_ = accounts_.sums();
-    return events;
   }
 
   void account(const std::vector<Source>& sources) {
@@ -160,6 +193,7 @@ class Extraction::State {
   Clustering clustering_;
   Accounts accounts_;
   SeismicSums sums_;
+  double called_ = -std::numeric_limits<double>::infinity();  // time of the last call
 };
 
 Extraction::Extraction(const ExtractionControls& controls) : state_(std::make_unique<State>(controls)) {}

@@ -36,7 +36,8 @@ struct SeismicSums {
 };
 
 /// Clusters sources in space and time. The events and every bit of their numbers depend neither on the order
-/// of the records within a call, nor on how they are split over calls, nor on threads.
+/// of the records within a call, nor on threads, nor on how the records are split over calls, as long as no
+/// failing record begins before the last call's time: calls are made at coupling times, all or some of them.
 class Extraction {
  public:
   explicit Extraction(const ExtractionControls& controls);
@@ -44,11 +45,13 @@ class Extraction {
   Extraction(Extraction&&) noexcept;
   Extraction& operator=(Extraction&&) noexcept;
 
-  /// Takes all records that end after the last call's time and up to `time` [s], in any order.
-  /// @returns the events that no later record can join, in the order of closing
+  /// Takes all records that end after the last call's time and up to `time` [s], in any order. Where a
+  /// failing one began earlier, it counts as beginning at the last call's time.
+  /// @returns the events that no later record can join, in the order of closing: by the latest time at which
+  ///          they could have been joined
   std::vector<SeismicEvent> advance(double time, const std::vector<SourceRecord>& records);
 
-  /// The events that are still open, as if nothing came after.
+  /// The events that are still open, as if nothing came after; nothing is open then.
   std::vector<SeismicEvent> finish();
 
   /// raw = aseismic + events + what is open.
