@@ -78,6 +78,7 @@ class Worker {
       : run_(run),
         status_(status),
         record_(run.directory, run.reading.value.output.reports_per_segment),
+        monitor_(run.reading.value),
         socket_(run.directory),
         run_id_(random_run_id()),
         trio_(trio_options(), run_id_, status) {}
@@ -85,9 +86,10 @@ class Worker {
   int execute() {
     try {
       start();
-      StaggeredScheme scheme(run_.reading.value, run_.end, trio_, record_, status_);
+      StaggeredScheme scheme(run_.reading.value, run_.end, trio_, record_, monitor_, status_);
       const SchemeOutcome outcome = scheme.run();
       figures_.insertions = outcome.insertions;
+      monitor_.conclude();
       status_.show(record_.history().size(), "finish");
       take_figures(trio_.finish());
       return conclude(outcome.stop_signal);
@@ -124,6 +126,7 @@ class Worker {
          {},
          probe_names(run_.reading.value)});
     recording_ = true;
+    monitor_.begin(run_.directory / "seismicity", hexadecimal(run_id_), record_.started());
     const NaturalFractureReport& natural = run_.reading.natural_fractures;
     if (natural.given + natural.drawn > 0)
       record_.event(EventLevel::info, "coupler", "case", summary_of(natural));
@@ -151,12 +154,15 @@ class Worker {
     wall.coupler = wall.total - waited;
     figures_.remeshing = record_.remesh_totals();
     figures_.meetings = record_.meeting_totals();
+    figures_.seismicity = monitor_.summary();
+    wall.seismicity = monitor_.wall_seconds();
     wall.waiting = std::max(0.0, waited - wall.structure - wall.network);
     return summary_json(verdict, record_.history(), figures_);
   }
 
   int conclude(int stop_signal) {
     record_.close();
+    monitor_.finish({});
     const Verdict verdict = stop_signal == 0 ? judge(run_.expectations, record_.history()) : Verdict{};
     const nlohmann::ordered_json figures = summary(verdict);
     record_.finish(figures);
@@ -192,6 +198,7 @@ class Worker {
   const PreparedRun& run_;
   StatusPage& status_;
   RunRecord record_;
+  SeismicMonitor monitor_;
   SocketPlace socket_;
   RunId run_id_;
   Trio trio_;

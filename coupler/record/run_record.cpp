@@ -42,7 +42,9 @@ void RunRecord::begin(const RunDescription& description) {
   history_.write_to(directory());
   copy_inputs(description.input_files, directory() / "input");
   write_whole_file(directory() / "effective_case.json", description.effective_case.dump(2) + "\n");
-  write_whole_file(directory() / "run.json", run_json(description).dump(2) + "\n");
+  const nlohmann::json run = run_json(description);
+  started_ = run.at("started").get<std::string>();
+  write_whole_file(directory() / "run.json", run.dump(2) + "\n");
 }
 
 void RunRecord::topology(const FractureNetwork& network) {

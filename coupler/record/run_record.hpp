@@ -72,6 +72,8 @@ class RunRecord {
   /// The series of all intervals so far, for the verdict.
   [[nodiscard]] const History& history() const { return history_; }
   [[nodiscard]] const MeetingTotals& meeting_totals() const { return meeting_ledger_.totals(); }
+  /// When the run began, UTC, as run.json says. @pre begin
+  [[nodiscard]] const std::string& started() const { return started_; }
   [[nodiscard]] RemeshTotals remesh_totals() const { return remesh_ledger_.totals(); }
   [[nodiscard]] const std::filesystem::path& directory() const { return directory_.path(); }
 
@@ -92,6 +94,7 @@ class RunRecord {
   std::vector<SourceRecord> sources_;  ///< not yet in a segment
   double sources_time_ = 0;            ///< to which they are complete [s]
   std::optional<EventLog> events_;
+  std::string started_;
   std::uint64_t interval_ = 0;  ///< of the last interval()
   double time_ = 0;             ///< of the last interval() [s]
 };

@@ -41,10 +41,11 @@ double edge_at_the_tips(const Case& run_case) {
 }  // namespace
 
 StaggeredScheme::StaggeredScheme(const Case& run_case, double end, Trio& trio, RunRecord& record,
-                                 StatusPage& status)
+                                 SeismicMonitor& monitor, StatusPage& status)
     : case_(run_case),
       trio_(trio),
       record_(record),
+      monitor_(monitor),
       status_(status),
       fault_(fault_plan_of_environment("coupler")),
       clock_(end),
@@ -60,6 +61,7 @@ SchemeOutcome StaggeredScheme::run() {
     const NetworkAnswer answer = advance_network_over(interval);  // the network leads (Sect. 3.1)
     auto response = advance_structure_over(interval, answer);     // the structure follows (Sect. 3.6)
     check_ledger(answer);
+    listen(interval, response);  // what broke is heard (Sect. 4)
     record_interval(interval, answer, response);
     accept(interval, answer, std::move(response));
     if (report_is_due(interval.end)) report(answer);
@@ -126,12 +128,18 @@ void StaggeredScheme::check_ledger(const NetworkAnswer& answer) const {
                     answer.ledger.relative_residual, largest_relative_residual));
 }
 
+void StaggeredScheme::listen(const CouplingInterval& interval, const StructureResponse& response) {
+  record_.sources(interval.end, response.sources);
+  monitor_.listen(interval.end, response.sources);
+}
+
 void StaggeredScheme::record_interval(const CouplingInterval& interval, const NetworkAnswer& answer,
                                       const StructureResponse& response) {
   IntervalRecord figures = interval_figures(interval, network_, inlet_, response, answer);
   add_growth_figures(network_, path_, response, case_, figures);
   if (response.strain_energy) strain_energy_ = *response.strain_energy;
   figures.strain_energy = strain_energy_;
+  figures.seismicity = monitor_.figures();
   figures.meetings = record_.meeting_totals().met;
   figures.crossings = record_.meeting_totals().crossed;
   record_.interval(figures, response.probes);
@@ -202,6 +210,7 @@ void StaggeredScheme::report(const NetworkAnswer& answer) {
     command.body["time"] = clock_.time();
     trio_.send(role, std::move(command));
   }
+  monitor_.flush();
   const Message structure_fields = trio_.await(Role::structure, MessageType::fields);
   const Message network_fields = trio_.await(Role::network, MessageType::fields);
   record_.fields(clock_.time(), structure_fields, network_fields, network_,

@@ -15,6 +15,7 @@
 #include "coupler/scheme/interval_control.hpp"
 #include "coupler/scheme/interval_figures.hpp"
 #include "coupler/scheme/progress_line.hpp"
+#include "coupler/scheme/seismic_monitor.hpp"
 
 namespace fissura::coupler {
 
@@ -28,7 +29,8 @@ struct SchemeOutcome {
 class StaggeredScheme {
  public:
   /// Runs to `end` [s]. All references must outlive this. The trio has been started.
-  StaggeredScheme(const Case& run_case, double end, Trio& trio, RunRecord& record, StatusPage& status);
+  StaggeredScheme(const Case& run_case, double end, Trio& trio, RunRecord& record, SeismicMonitor& monitor,
+                  StatusPage& status);
 
   /// Runs to the end of the case. Throws ParticipantFailure or another Error at the first fault, with the
   /// record written up to the last complete interval.
@@ -40,6 +42,7 @@ class StaggeredScheme {
   NetworkAnswer advance_network_over(const CouplingInterval& interval);
   StructureResponse advance_structure_over(const CouplingInterval& interval, const NetworkAnswer& answer);
   void check_ledger(const NetworkAnswer& answer) const;
+  void listen(const CouplingInterval& interval, const StructureResponse& response);
   void record_interval(const CouplingInterval& interval, const NetworkAnswer& answer,
                        const StructureResponse& response);
   void accept(const CouplingInterval& interval, const NetworkAnswer& answer, StructureResponse&& response);
@@ -50,6 +53,7 @@ class StaggeredScheme {
   const Case& case_;
   Trio& trio_;
   RunRecord& record_;
+  SeismicMonitor& monitor_;
   StatusPage& status_;
   std::optional<FaultPlan> fault_;
   CouplingClock clock_;

@@ -71,10 +71,15 @@ Json ledger_json(const History& history) {
 
 Json wall_json(const WallTimes& wall) {
   const double loops = wall.element + wall.joint;
-  return {{"total_s", wall.total},     {"structure_s", wall.structure},
-          {"element_s", wall.element}, {"joint_s", wall.joint},
-          {"network_s", wall.network}, {"coupler_s", wall.coupler},
-          {"waiting_s", wall.waiting}, {"structure_loops_share", wall.total > 0 ? loops / wall.total : 0}};
+  return {{"total_s", wall.total},
+          {"structure_s", wall.structure},
+          {"element_s", wall.element},
+          {"joint_s", wall.joint},
+          {"network_s", wall.network},
+          {"coupler_s", wall.coupler},
+          {"seismicity_s", wall.seismicity},
+          {"waiting_s", wall.waiting},
+          {"structure_loops_share", wall.total > 0 ? loops / wall.total : 0}};
 }
 
 Json remeshing_json(const RemeshTotals& totals) {
@@ -131,7 +136,9 @@ nlohmann::ordered_json summary_json(const Verdict& verdict, const History& histo
                          {"explicit_steps", sum(column(history, "explicit_steps"))},
                          {"insertions", figures.insertions}};
   summary["remeshing"] = remeshing_json(figures.remeshing);
-  summary["natural_fractures"] = natural_fractures_json(figures.meetings, figures.slip_before_time_0, history);
+  summary["natural_fractures"] =
+      natural_fractures_json(figures.meetings, figures.slip_before_time_0, history);
+  summary["seismicity"] = figures.seismicity;
   summary["wall"] = wall_json(figures.wall);
   summary["mesh"] = {{"elements", figures.elements}, {"nodes", figures.nodes}};
   if (figures.failure) summary["failure"] = failure_json(*figures.failure);

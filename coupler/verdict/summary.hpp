@@ -16,13 +16,14 @@ namespace fissura::coupler {
 
 /// Where the wall time went [s].
 struct WallTimes {
-  double total = 0;      ///< from the start of the coupler's work to its end
-  double structure = 0;  ///< the structure at work
-  double element = 0;    ///< of `structure`: element loop with the nodes it moves
-  double joint = 0;      ///< of `structure`: joint loop with its nodes
-  double network = 0;    ///< the network at work
-  double coupler = 0;    ///< the coupler at work
-  double waiting = 0;    ///< of all three at once: messages on their way
+  double total = 0;       ///< from the start of the coupler's work to its end
+  double structure = 0;   ///< the structure at work
+  double element = 0;     ///< of `structure`: element loop with the nodes it moves
+  double joint = 0;       ///< of `structure`: joint loop with its nodes
+  double network = 0;     ///< the network at work
+  double coupler = 0;     ///< the coupler at work
+  double seismicity = 0;  ///< of `coupler`: events and their catalogue
+  double waiting = 0;     ///< of all three at once: messages on their way
 };
 
 /// What ended a run before its time.
@@ -41,7 +42,8 @@ struct RunFigures {
   std::uint64_t insertions = 0;           ///< changes of the topology after revision 0
   RemeshTotals remeshing;
   MeetingTotals meetings;
-  double slip_before_time_0 = 0;          ///< greatest one that natural fractures needed to come to rest [m]
+  nlohmann::ordered_json seismicity;  ///< what the catalogue holds; null without one
+  double slip_before_time_0 = 0;      ///< greatest one that natural fractures needed to come to rest [m]
   std::optional<Failure> failure;
 };
 

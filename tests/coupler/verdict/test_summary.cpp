@@ -35,7 +35,8 @@ TEST_CASE("the summary has the keys that scripts rely on", "[coupler][verdict]")
   verdict.quantities = {{"half_length", Measure::value_at, "m", 12.5, 12.625, 0.01, 0.02, true, ""},
                         {"relative_residual", Measure::maximum, "1", 1e-10, 3e-16, {}, {}, true, ""}};
   RunFigures figures;
-  figures.wall = {10, 9, 7, 1, 0.6, 0.3, 0.1};
+  figures.wall = {10, 9, 7, 1, 0.6, 0.3, 0.02, 0.1};
+  figures.seismicity = {{"events", 12}};
   figures.elements = 7000;
   figures.nodes = 3600;
   figures.insertions = 3;
@@ -83,6 +84,8 @@ TEST_CASE("the summary has the keys that scripts rely on", "[coupler][verdict]")
   CHECK(natural["greatest_far_slip"] == 8e-6);
   CHECK(natural["greatest_junction_pressure"] == 11e6);
   CHECK(natural["found"] == 0.5);
+  CHECK(summary["seismicity"]["events"] == 12);
+  CHECK(summary["wall"]["seismicity_s"] == 0.02);
   CHECK(summary["wall"]["total_s"] == 10);
   CHECK(summary["wall"]["structure_s"] == 9);
   CHECK(summary["wall"]["element_s"] == 7);

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/case/case.hpp"
+#include "common/seismicity/source_record.hpp"
+#include "coupler/record/interval_record.hpp"
+#include "coupler/seismicity/catalogue/catalogue.hpp"
+#include "coupler/seismicity/extraction.hpp"
+
+namespace fissura::coupler {
+
+/// Makes events of what the structure tells, and a catalogue of events, while the run goes on. Call order:
+/// constructor; begin; any number of listen and flush; finish. Without begin nothing is written.
+class SeismicMonitor {
+ public:
+  explicit SeismicMonitor(const Case& run_case);
+
+  /// Begins the catalogue in `folder`, which is created. `run_id` and `started` are those of run.json.
+  /// Nothing if the case wants no seismicity. Throws StorageError.
+  void begin(const std::filesystem::path& folder, const std::string& run_id, const std::string& started);
+
+  /// Takes the sources of the interval that ends at `time` [s]; events that can no longer change enter the
+  /// catalogue. Throws StorageError.
+  void listen(double time, const std::vector<SourceRecord>& sources);
+
+  /// Hands the catalogue so far to the system. Throws StorageError.
+  void flush();
+
+  /// Closes the events that are still open.
+  void conclude();
+
+  /// Writes all files of the catalogue, with this analysis of the events. @pre concluded. Throws
+  /// StorageError.
+  void finish(const nlohmann::ordered_json& analysis);
+
+  /// That are in the catalogue.
+  [[nodiscard]] const std::vector<SeismicEvent>& events() const;
+  [[nodiscard]] const SeismicSums& sums() const { return extraction_.sums(); }
+  [[nodiscard]] SeismicFigures figures() const;
+  /// `events`, `seismic_moment`, `aseismic_moment` [N m], `greatest_magnitude` and `seismic_fraction` (null
+  /// without any), `conservation_error`; null without a catalogue. @pre concluded
+  [[nodiscard]] nlohmann::ordered_json summary() const;
+  /// Wall time spent here [s].
+  [[nodiscard]] double wall_seconds() const { return wall_seconds_; }
+
+ private:
+  const Case& case_;
+  Extraction extraction_;
+  std::optional<Catalogue> catalogue_;
+  double wall_seconds_ = 0;
+};
+
+}  // namespace fissura::coupler
