@@ -39,13 +39,28 @@ json at_the_end(const MomentBudget& budget) {
   return last;
 }
 
-}  // namespace
-
-std::optional<double> seismic_fraction(const SeismicSums& sums) {
+/// Share of the scalar moments of all decided sources that is seismic.
+std::optional<double> seismic_share(const SeismicSums& sums) {
   const double all = sums.seismic_sum + sums.aseismic_sum;
   if (!(all > 0)) return {};
   return sums.seismic_sum / all;
 }
+
+json types_json(const std::vector<SeismicEvent>& events) {
+  json types = json::object();
+  for (const EventType type : {EventType::shear, EventType::tensile, EventType::closing, EventType::mixed})
+    types[name(type)] = std::count_if(events.begin(), events.end(),
+                                      [&](const SeismicEvent& event) { return event.type == type; });
+  return types;
+}
+
+json greatest_magnitude(const std::vector<SeismicEvent>& events) {
+  const std::vector<double> magnitudes = magnitudes_of(events);
+  const auto greatest = std::max_element(magnitudes.begin(), magnitudes.end());
+  return greatest == magnitudes.end() ? json() : json(*greatest);
+}
+
+}  // namespace
 
 std::vector<double> magnitudes_of(const std::vector<SeismicEvent>& events) {
   std::vector<double> magnitudes;
@@ -55,27 +70,20 @@ std::vector<double> magnitudes_of(const std::vector<SeismicEvent>& events) {
 }
 
 json totals_json(const std::vector<SeismicEvent>& events, const SeismicSums& sums) {
-  json types = json::object();
-  for (const EventType type : {EventType::shear, EventType::tensile, EventType::closing, EventType::mixed})
-    types[name(type)] = std::count_if(events.begin(), events.end(),
-                                      [&](const SeismicEvent& event) { return event.type == type; });
-  const std::vector<double> magnitudes = magnitudes_of(events);
-  const auto greatest = std::max_element(magnitudes.begin(), magnitudes.end());
   return {{"events", events.size()},
-          {"records", sums.records},
+          {"types", types_json(events)},
+          {"greatest_magnitude", greatest_magnitude(events)},
           {"event_moment", sums.event_moment},
           {"seismic_sum", sums.seismic_sum},
           {"aseismic_sum", sums.aseismic_sum},
-          {"seismic_fraction", or_null(seismic_fraction(sums))},
-          {"greatest_magnitude", greatest == magnitudes.end() ? json() : json(*greatest)},
+          {"seismic_fraction", or_null(seismic_share(sums))},
           {"raw", sums.raw},
-          {"aseismic", sums.aseismic},
-          {"types", types}};
+          {"aseismic", sums.aseismic}};
 }
 
 std::string caption(const Case& run_case, const SeismicSums& sums) {
   const Seismicity& rules = run_case.seismicity;
-  const std::optional<double> fraction = seismic_fraction(sums);
+  const std::optional<double> fraction = seismic_share(sums);
   const std::string share =
       fraction ? fmt::format("Seismic fraction {:.3g} of the scalar moments of all sources", *fraction)
                : std::string("No source");
@@ -145,7 +153,7 @@ json json_of(const MomentBudget& budget) {
 }
 
 json json_of(const EventRate& rate) {
-  return {{"width", rate.width}, {"time", rate.edge}, {"events", rate.events}, {"moment", rate.moment}};
+  return {{"time", rate.edge}, {"events", rate.events}, {"moment", rate.moment}};
 }
 
 json json_of(const StimulatedVolume& volume) {
@@ -171,7 +179,10 @@ json analysis_json(const std::vector<SeismicEvent>& events, const Case& run_case
   }
   json volume = json_of(stimulated_volume(events, run_case.seismicity, run_case.domain.thickness));
   volume["cells"] = volume["cells"].size();
-  return {{"totals", totals_json(events, sums)},
+  return {{"events",
+           {{"count", events.size()},
+            {"types", types_json(events)},
+            {"greatest_magnitude", greatest_magnitude(events)}}},
           {"frequency_magnitude",
            json_of(frequency_magnitude(magnitudes_of(events), numerical_magnitude_floor(run_case)))},
           {"distance", distance},

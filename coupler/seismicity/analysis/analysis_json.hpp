@@ -16,23 +16,20 @@
 /// is none of is null.
 namespace fissura::coupler {
 
-/// What a catalogue says about a run, in numbers:
-///   totals               totals_json
+/// What a catalogue says about a run, in numbers, for its summary:
+///   events               count, types {shear: events, ...}, greatest_magnitude
 ///   frequency_magnitude  json_of
 ///   distance             json_of, without the curves of the laws; null in a dry case
 ///   moment               at the end: cumulative, greatest, injected, greatest_bound, sum_bound
 ///   volume               json_of, with `cells` as a number
 ///   caption              caption()
-/// `sums` are those of the extraction that made the events.
+/// `sums` are those of the extraction that made the events, `run_case.seismicity` its thresholds.
 nlohmann::json analysis_json(const std::vector<SeismicEvent>& events, const Case& run_case,
                              const InjectedVolume& injected, const SeismicSums& sums);
 
-/// events, records, event_moment, seismic_sum, aseismic_sum, seismic_fraction (of the sums of scalar moments;
-/// null without any source), greatest_magnitude, raw, aseismic (tensors), types {shear: events, ...}
+/// events (their number), types, greatest_magnitude, event_moment, seismic_sum, aseismic_sum,
+/// seismic_fraction (of the sums of scalar moments; null without any source), raw, aseismic (tensors)
 nlohmann::json totals_json(const std::vector<SeismicEvent>& events, const SeismicSums& sums);
-
-/// Share of the scalar moments of all decided sources that is seismic; none without any.
-std::optional<double> seismic_fraction(const SeismicSums& sums);
 
 /// The magnitudes of the events that have one, in their order.
 std::vector<double> magnitudes_of(const std::vector<SeismicEvent>& events);
@@ -52,7 +49,7 @@ nlohmann::json json_of(const DistanceTime& distance);
 /// time, cumulative, greatest, injected, greatest_bound, sum_bound: arrays of equal length
 nlohmann::json json_of(const MomentBudget& budget);
 
-/// width, time (edges), events, moment: a minute
+/// time (edges of the parts), events, moment: in each part
 nlohmann::json json_of(const EventRate& rate);
 
 /// voxel_size, voxel_events, cells [[x, y, events], ...], voxel_volume, hull [[x, y], ...], hull_volume,

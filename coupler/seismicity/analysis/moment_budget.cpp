@@ -65,17 +65,16 @@ EventRate event_rate(const std::vector<SeismicEvent>& events, double end) {
   const auto minutes = static_cast<std::size_t>(std::ceil(end / minute));
   const bool by_minutes = minutes >= fewest_parts;
   const std::size_t parts = by_minutes ? minutes : fewest_parts;
+  const double width = by_minutes ? minute : end / static_cast<double>(parts);
   EventRate rate;
-  rate.width = by_minutes ? minute : end / static_cast<double>(parts);
-  for (std::size_t part = 0; part <= parts; ++part)
-    rate.edge.push_back(static_cast<double>(part) * rate.width);
+  for (std::size_t part = 0; part <= parts; ++part) rate.edge.push_back(static_cast<double>(part) * width);
   rate.events.resize(parts);
   rate.moment.resize(parts);
-  const double each = minute / rate.width;
   for (const SeismicEvent& event : events) {
-    const double place = std::clamp(event.centroid_time / rate.width, 0.0, static_cast<double>(parts - 1));
-    rate.events[static_cast<std::size_t>(place)] += each;
-    rate.moment[static_cast<std::size_t>(place)] += each * event.scalar_moment;
+    const auto part = static_cast<std::size_t>(
+        std::clamp(event.centroid_time / width, 0.0, static_cast<double>(parts - 1)));
+    ++rate.events[part];
+    rate.moment[part] += event.scalar_moment;
   }
   return rate;
 }

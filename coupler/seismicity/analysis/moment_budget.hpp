@@ -41,12 +41,11 @@ struct MomentBudget {
 MomentBudget moment_budget(const std::vector<SeismicEvent>& events, const InjectedVolume& injected,
                            double shear_modulus, const std::vector<double>& times);
 
-/// Events in equal parts of time, as rates per minute.
+/// Events in equal parts of time; the rate is what lies in a part over its length.
 struct EventRate {
-  double width = 0;            ///< of a part [s]
-  std::vector<double> edge;    ///< of the parts, one more than there are [s]
-  std::vector<double> events;  ///< a minute
-  std::vector<double> moment;  ///< scalar moments a minute [N m]
+  std::vector<double> edge;         ///< of the parts, one more than there are [s]
+  std::vector<std::size_t> events;  ///< in each part
+  std::vector<double> moment;       ///< sum of their scalar moments [N m]
 };
 
 /// From time 0 to `end` [s] > 0: minutes if there are at least twenty, otherwise twenty parts. By centroid
