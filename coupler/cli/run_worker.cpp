@@ -16,6 +16,7 @@
 #include "coupler/launch/trio.hpp"
 #include "coupler/record/run_record.hpp"
 #include "coupler/scheme/staggered_scheme.hpp"
+#include "coupler/seismicity/analysis/analysis_json.hpp"
 #include "coupler/verdict/summary.hpp"
 #include "coupler/verdict/verdict_table.hpp"
 
@@ -160,9 +161,17 @@ class Worker {
     return summary_json(verdict, record_.history(), figures_);
   }
 
+  /// What the catalogue says about the run.
+  [[nodiscard]] nlohmann::json analysis() const {
+    const auto time = record_.history().series("time").value(),
+               volume = record_.history().series("injected").value();
+    const InjectedVolume injected{{time.begin(), time.end()}, {volume.begin(), volume.end()}};
+    return analysis_json(monitor_.events(), run_.reading.value, injected, monitor_.sums());
+  }
+
   int conclude(int stop_signal) {
     record_.close();
-    monitor_.finish({});
+    monitor_.finish(analysis());
     const Verdict verdict = stop_signal == 0 ? judge(run_.expectations, record_.history()) : Verdict{};
     const nlohmann::ordered_json figures = summary(verdict);
     record_.finish(figures);
