@@ -49,7 +49,6 @@ void NeighbourGrid::put(std::vector<GridPoint>& points, const GridPoint& point) 
 
 void NeighbourGrid::insert(const GridPoint& point, double time) {
   const int own = level_of(point.radius);
-  if (!std::binary_search(levels_.begin(), levels_.end(), own)) add_level(own);
   for (const int level : levels_) {
     if (level < own) continue;
     const auto [column, row] = cell_of(point, level);
@@ -59,7 +58,8 @@ void NeighbourGrid::insert(const GridPoint& point, double time) {
   if (size_ > drop_at_) drop_ended(time);
 }
 
-void NeighbourGrid::add_level(int level) {
+void NeighbourGrid::provide(int level) {
+  if (std::binary_search(levels_.begin(), levels_.end(), level)) return;
   std::vector<GridPoint> smaller;
   for (const auto& [code, cell] : cells_)
     for (const GridPoint& point : cell.own)

@@ -27,6 +27,7 @@ class NeighbourGrid {
   template <class Found>
   void for_each_neighbour(const GridPoint& point, double time, Found found) {
     const int own = level_of(point.radius);
+    provide(own);
     for (const int level : levels_) {
       if (level < own) continue;
       const auto [column, row] = cell_of(point, level);
@@ -42,7 +43,7 @@ class NeighbourGrid {
 
   /// Puts a point in. Points in the same place that end no later and reach no farther are dropped: whatever
   /// links to them links to this one.
-  /// @pre the neighbours at `time` have been asked for
+  /// @pre for_each_neighbour(point, time) has been called
   void insert(const GridPoint& point, double time);
 
   /// Number of points that are kept [-]; some of them may have ended.
@@ -74,7 +75,8 @@ class NeighbourGrid {
 
   void remove(std::vector<GridPoint>& points, std::size_t index);
   void put(std::vector<GridPoint>& points, const GridPoint& point);
-  void add_level(int level);
+  /// Makes the grid of a level if there is none, with the smaller points in it.
+  void provide(int level);
   void drop_ended(double time);
 
   std::vector<int> levels_;  // ascending
