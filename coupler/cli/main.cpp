@@ -10,6 +10,7 @@
 #include "coupler/cli/check_command.hpp"
 #include "coupler/cli/report_command.hpp"
 #include "coupler/cli/run_command.hpp"
+#include "coupler/cli/seismicity_command.hpp"
 
 namespace {
 
@@ -27,6 +28,23 @@ void add_case_options(CLI::App& command, CaseSource& source, bool& short_form) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_flag("--short", short_form, "the short form: --variant short, after any other");
+}
+
+void add_seismicity_options(CLI::App& command, fissura::coupler::SeismicityOptions& options) {
+  command.add_option("RUN", options.run_directory, "run directory; the run may have failed")->required();
+  command.add_option("--cluster-radius", options.cluster_radius, "sources farther apart are two events");
+  command.add_option("--cluster-time", options.cluster_time, "likewise, in time");
+  command.add_option("--rest-time", options.rest_time, "longest pause within one source");
+  command.add_option("--slip-rate", options.slip_rate, "faces that move slower are aseismic");
+  command.add_option("--stress-drop", options.stress_drop, "faces that lose less shear traction are aseismic");
+  command.add_option("--failure-rate", options.failure_rate, "rock that opens slower is aseismic");
+  command.add_option("--thickness", options.thickness, "out of the plane of an event")
+      ->check(CLI::IsMember({"layer", "equidimensional"}));
+  command.add_option("--minimum-magnitude", options.minimum_magnitude,
+                     "leaves smaller events out of points and QuakeML");
+  command.add_option("--formats", options.formats, "of csv,hdf5,points,quakeml; all if not given")
+      ->delimiter(',');
+  command.add_option("--out", options.directory, "folder to write; RUN/seismicity_rebuilt if not given");
 }
 
 }  // namespace
@@ -65,11 +83,17 @@ int main(int argc, char** argv) {
   report->add_option("RUN", run_directory, "run directory; the run may still be going on")->required();
   report->add_option("--out", page, "file to write; report.html in the run directory if not given");
 
+  fissura::coupler::SeismicityOptions seismicity_options;
+  CLI::App* seismicity =
+      program.add_subcommand("seismicity", "makes the catalogue of seismic events of a run again");
+  add_seismicity_options(*seismicity, seismicity_options);
+
   try {
     program.parse(argc, argv);
     if (short_form) options.source.variants.emplace_back("short");
     if (run->parsed()) return fissura::coupler::run_command(options);
     if (report->parsed()) return fissura::coupler::report_command(run_directory, page);
+    if (seismicity->parsed()) return fissura::coupler::seismicity_command(seismicity_options);
     return fissura::coupler::check_command(options.source, picture);
   } catch (const CLI::ParseError& fault) {
     return program.exit(fault) == 0 ? 0 : static_cast<int>(ExitCode::command_line);

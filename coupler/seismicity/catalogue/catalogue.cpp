@@ -89,6 +89,15 @@ void write_others(const fs::path& directory, const std::vector<SeismicEvent>& ev
 
 }  // namespace
 
+CatalogueFormat format_of(const std::string& word) {
+  if (word == "csv") return CatalogueFormat::csv;
+  if (word == "hdf5") return CatalogueFormat::hdf5;
+  if (word == "points") return CatalogueFormat::points;
+  if (word == "quakeml") return CatalogueFormat::quakeml;
+  throw Error(ExitCode::command_line,
+              fmt::format("\"{}\" is no format of a catalogue: expected csv, hdf5, points or quakeml", word));
+}
+
 std::set<CatalogueFormat> possible_formats(const CatalogueContext& context) {
   std::set<CatalogueFormat> formats(all_formats.begin(), all_formats.end());
   if (!context.georeference) formats.erase(CatalogueFormat::quakeml);

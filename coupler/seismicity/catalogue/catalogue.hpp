@@ -16,6 +16,9 @@ namespace fissura::coupler {
 
 enum class CatalogueFormat { csv, hdf5, points, quakeml };
 
+/// Of "csv", "hdf5", "points" or "quakeml". Throws Error(command_line) for any other word.
+CatalogueFormat format_of(const std::string& word);
+
 /// All formats that the context allows: QuakeML needs a georeference.
 std::set<CatalogueFormat> possible_formats(const CatalogueContext& context);
 
