@@ -11,6 +11,7 @@
 #include "coupler/report/fracture_map.hpp"
 #include "coupler/report/joint_map.hpp"
 #include "coupler/report/principal_stress.hpp"
+#include "coupler/report/seismic_data.hpp"
 #include "coupler/report/stress_crosses.hpp"
 #include "coupler/report/stress_maps.hpp"
 #include "coupler/report/thinning.hpp"
@@ -134,6 +135,7 @@ json report_data(const fs::path& run_directory) {
       history.rows() == 0 ? json() : classical_curves(run_case, history.numbers("time").back());
   data["map"] = fracture_map(reports, most_maps);
   data["joints"] = joint_map(reports, most_maps);
+  data["seismicity"] = seismic_data(run_directory, run_case, history, data["joints"]);
   data["meetings"] = meetings_table(run_directory / "meetings.csv");
   const std::vector<View> views = views_at_the_end(reports, run_case);
   data["stress"] = stress_of_last_report(reports, views);

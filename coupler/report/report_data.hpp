@@ -17,6 +17,7 @@ namespace fissura::coupler {
 ///   comparison      comparison.hpp; "classical" there, too
 ///   map, joints     fracture_map.hpp, joint_map.hpp
 ///   meetings        meetings.csv, as remeshing; null if no natural fracture was met
+///   seismicity      seismic_data.hpp; null without an event
 ///   stress          stress_crosses.hpp; null where no report has it
 ///   least_stress, relative_stress  stress_maps.hpp: of the whole fracture, and of the whole domain
 ///   in_situ         total principal stresses at the origin, compression positive [Pa]: "greatest", "least",
