@@ -117,6 +117,7 @@ Equilibration come_to_rest(const StructureModel& model, const Geometry& geometry
   }
   std::fill(state.body.velocity.begin(), state.body.velocity.end(), 0.0);
   count_from_here(before, state.joints);
+  state.sources.begin_anew(state.joints);
   return rest;
 }
 

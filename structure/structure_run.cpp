@@ -50,17 +50,21 @@ std::uint64_t StructureRun::advance(double begin, double end, StructureState& st
                                state.body.displacement, state.body.velocity};
   Step step{(end - begin) / static_cast<double>(steps), begin, state.mass_scaling.scale(),
             model_.run_case.dynamics.damping};
+  const ObservedRock rock = observed_rock(model_, geometry_, state);
+  state.sources.begin_interval(rock, begin, state.joints);
   for (std::uint64_t k = 1; k <= steps; ++k) {
     const double tau = static_cast<double>(k) / static_cast<double>(steps);
     step.end = begin + tau * (end - begin);
     const Clock::time_point start = Clock::now();
     dynamics_.advance(state.body, step);  // Sect. 3.6, Eq. 8
     const Clock::time_point middle = Clock::now();
+    state.sources.watch(rock, tau, step.size);
     joints_.advance(joint_nodes, {step.size, step.mass_scale, step.damping, tau}, state.joints);  // Eqs. 11, 18-22
     loop_times_.elements += seconds_between(start, middle);
     loop_times_.joints += seconds_between(middle, Clock::now());
     note_progress("explicit steps");
   }
+  state.sources.end_interval(rock, {begin, end, steps, step.mass_scale}, state.joints);
   kinetic_energy_ = structure::kinetic_energy(geometry_.body, state.body.velocity, step.mass_scale);
   require_finite(kinetic_energy_, end);
   require_facing_pairs(geometry_.mesh, state.joints, sliding_limits_);

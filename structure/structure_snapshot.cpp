@@ -13,7 +13,7 @@ namespace {
 
 enum class SavedGeometry : std::uint8_t { of_the_case, included };
 
-constexpr std::uint64_t format = 5;
+constexpr std::uint64_t format = 6;
 
 std::string text_of(const std::vector<Insertion>& insertions) {
   nlohmann::json list = nlohmann::json::array();
@@ -68,6 +68,7 @@ std::vector<std::byte> save_snapshot(const Snapshot& snapshot, const Geometry& g
   bytes.put(snapshot.state.mass_scaling);
   bytes.put(snapshot.state.failure_work_gone);
   bytes.put(snapshot.state.crossing_seeds);
+  snapshot.state.sources.save(bytes);
   return bytes.take();
 }
 
@@ -102,6 +103,7 @@ Snapshot restore_snapshot(const std::vector<std::byte>& bytes, const StructureMo
   reader.get(snapshot.state.mass_scaling);
   reader.get(snapshot.state.failure_work_gone);
   reader.get(snapshot.state.crossing_seeds);
+  snapshot.state.sources.restore(reader);
   reader.end();
   require_same_mesh(found.mesh, snapshot.state);
   if (!damage.empty()) snapshot.state.body.damage = damage_from_records(found.tiles, damage);

@@ -15,6 +15,7 @@
 #include "structure/joints/natural_figures.hpp"
 #include "structure/joints/network_topology.hpp"
 #include "structure/joints/wet_release.hpp"
+#include "structure/seismicity/merge_records.hpp"
 #include "structure/structure_fields.hpp"
 #include "structure/structure_snapshot.hpp"
 
@@ -106,6 +107,7 @@ Message StructureSolver::advance(const Message& command) {
     response.body["energy"]["strain"] = strain_energy_of_body(*model_, geometry_, *state_);
   if (const std::optional<Insertion> proposal = propose_growth())
     response.body["insertion"] = insertion_to_json(*proposal);
+  if (state_->sources.active()) tell_sources(command, response);
   return response;
 }
 
@@ -188,6 +190,19 @@ void StructureSolver::set_ramps_of(const Message& command) {
   for (std::size_t i = 0; i < nodes; ++i)
     ramps.push_back({pressure_begin[i], pressure_end[i], aperture_begin[i], aperture_end[i], stiffness[i]});
   set_ramps(geometry_.mesh, geometry_.network, ramps, state_->joints);
+}
+
+void StructureSolver::tell_sources(const Message& command, Message& response) {
+  const ObservedRock rock = observed_rock(*model_, geometry_, *state_);
+  if (command.value<bool>("strain_energy"))
+    state_->sources.tell_quiet(rock, state_->joints);
+  else if (growth_)
+    state_->sources.tell_quiet(rock, state_->joints, entities_that_change(*growth_));
+  SourceRecords told = merged(state_->sources.take(command.interval),
+                              static_cast<std::size_t>(model_->run_case.seismicity.maximum_records));
+  for (Array& array : arrays_of(told.records)) response.arrays.push_back(std::move(array));
+  response.body["sources_merged"] = told.merged;
+  response.body["transfer_moment"] = state_->sources.transferred();
 }
 
 std::optional<Insertion> StructureSolver::propose_growth() {

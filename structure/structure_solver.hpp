@@ -30,6 +30,7 @@ class StructureSolver : public Solver {
   void begin_motion();
   [[nodiscard]] nlohmann::json natural_fractures_json() const;
   void set_ramps_of(const Message& command);
+  void tell_sources(const Message& command, Message& response);
   std::optional<Insertion> propose_growth();
   void rebuild_run();
   void protect_tips();

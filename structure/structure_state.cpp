@@ -34,7 +34,8 @@ StructureState initial_state(const StructureModel& model, const Geometry& geomet
   State body = model.run_case.bulk_failure.active ? state_at_rest(geometry.body, geometry.tiles)
                                                   : state_at_rest(geometry.body);
   return {std::move(body), make_joints(geometry.mesh, model.run_case),
-          MassScaling(model.run_case.dynamics, model.run_case.rock)};
+          MassScaling(model.run_case.dynamics, model.run_case.rock), 0, {},
+          SourceObserver(model.run_case.seismicity)};
 }
 
 double stable_step(const StructureModel& model, const Geometry& geometry, const StructureState& state) {
@@ -42,6 +43,12 @@ double stable_step(const StructureModel& model, const Geometry& geometry, const 
   const Dynamics& dynamics = model.run_case.dynamics;
   return stable_step(geometry.frequency_squared, no_spring,
                      {dynamics.safety_factor, state.mass_scaling.scale(), dynamics.damping});
+}
+
+ObservedRock observed_rock(const StructureModel& model, const Geometry& geometry,
+                           const StructureState& state) {
+  return {geometry.mesh,  geometry.body,           geometry.tiles, model.moduli, model.run_case.domain.thickness,
+          geometry.number, state.body.displacement, state.body.damage};
 }
 
 double connected_half_length(const FractureNetwork& network) {

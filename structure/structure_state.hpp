@@ -16,6 +16,7 @@
 #include "structure/mesh/mesh.hpp"
 #include "structure/mesh/mesh_change.hpp"
 #include "structure/mesh/node_elements.hpp"
+#include "structure/seismicity/source_observer.hpp"
 
 /// The three rates of change of the structure: model (never), geometry (at coupling times), state (every step).
 namespace fissura::structure {
@@ -49,6 +50,7 @@ struct StructureState {
   /// work of failure and cohesion together goes on without a jump. Changes at coupling times only. [J/m]
   double failure_work_gone = 0;
   std::vector<CrossingSeed> crossing_seeds;  ///< change at coupling times only
+  SourceObserver sources;                    ///< of microseismicity
 };
 
 /// Meshes the case and builds everything that depends on the mesh. Throws InputError if it cannot be meshed.
@@ -65,6 +67,9 @@ StructureState initial_state(const StructureModel& model, const Geometry& geomet
 /// Largest stable step at the present mass scale [s]. Joints add no frequency: contact is an impulse, and the stiffness of fluid and
 /// cohesion is taken implicitly (joint_step.hpp).
 double stable_step(const StructureModel& model, const Geometry& geometry, const StructureState& state);
+
+/// What the observer of sources sees; valid while the others are.
+ObservedRock observed_rock(const StructureModel& model, const Geometry& geometry, const StructureState& state);
 
 /// Half the trace length connected to the fluid [m].
 double connected_half_length(const FractureNetwork& network);

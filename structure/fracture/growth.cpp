@@ -173,6 +173,17 @@ std::vector<ElementIndex> tip_surroundings(const StructureModel& model, const Ge
   return elements;
 }
 
+EntitiesThatChange entities_that_change(const GrowthPlan& plan) {
+  EntitiesThatChange changing{{}, removed_elements(plan)};
+  for (const PatchPlan& patch : plan.patches)
+    for (const PlannedUnit& unit : patch.units) {
+      if (unit.same) changing.units.push_back(*unit.same);
+      if (unit.source) changing.units.push_back(*unit.source);
+    }
+  sort_without_repeats(changing.units);
+  return changing;
+}
+
 std::vector<RemeshRecord> grow(const GrowthPlan& plan, const StructureModel& model, Geometry& geometry,
                                StructureState& state) {
   const Clock::time_point start = Clock::now();
@@ -188,8 +199,10 @@ std::vector<RemeshRecord> grow(const GrowthPlan& plan, const StructureModel& mod
   const DamageBefore damage =
       damage_before_change(geometry.mesh, geometry.tiles, state.body.damage, removed_elements(plan));
 
+  state.sources.leave(observed_rock(model, geometry, state), entities_that_change(plan));
   const MeshInsertion insertion = insert_into_mesh(plan, geometry.mesh);
   follow(model, insertion.change, geometry);
+  state.sources.follow(insertion.change);
   extend_joints(plan, insertion, geometry, model.run_case, state.joints);
   follow_crossing_seeds(plan, geometry.mesh, state.crossing_seeds);
   const TransferBalance balance = transfer.carry_over(insertion, geometry, state);

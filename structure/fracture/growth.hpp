@@ -25,6 +25,9 @@ struct RemeshRecord {
   double wall_seconds = 0;                                     ///< of planning and carrying out, shared out among the segments
 };
 
+/// What a plan will remove, divide or give other faces.
+EntitiesThatChange entities_that_change(const GrowthPlan& plan);
+
 /// Carries out a plan: mesh, everything derived from it, joints and state. The network is left to the caller.
 std::vector<RemeshRecord> grow(const GrowthPlan& plan, const StructureModel& model, Geometry& geometry,
                                StructureState& state);

@@ -56,6 +56,7 @@ struct FacePair {
   double rise = 0;                       ///< of touching faces in this step, by dilation [m]
   double normal_stiffness = 0;           ///< of fluid and unloading cohesion, taken implicitly [Pa/m]
   double tangential_stiffness = 0;       ///< of the cohesion, taken implicitly [Pa/m]
+  bool stuck = false;                    ///< faces that touch do not slide in this step
 
   [[nodiscard]] double reduced_mass() const { return mass_minus * mass_plus / (mass_minus + mass_plus); }
 };

@@ -39,6 +39,18 @@ struct JointState {
   bool closed = true;
 };
 
+/// What a contact unit did in the present coupling interval in the steps in which it failed: touching faces
+/// slid, or faces with cohesion moved farther apart than ever. Told on as a seismic source.
+struct FaceMovement {
+  double first = 0, last = 0;  ///< ends of the first and the last of those steps in the interval, (0, 1]
+  double path = 0;             ///< of the jump of the displacement, over those steps [m]; 0: nothing failed
+  double path_time = 0;        ///< sum of path times place in the interval [m]
+  double opening = 0, sliding = 0;  ///< change of the jump along normal and tangent [m]
+  double growth = 0;                ///< of slip or greatest separation [m]
+  double peak_rate = 0;             ///< of the jump [m/s]
+  bool cracked = false;             ///< cohesion wore off
+};
+
 /// All contact units of a mesh. Intact rock is held together until it is released (wet_release.hpp); open and natural fractures are
 /// released from the start, natural ones filled with pore fluid at formation pressure.
 struct Joints {
@@ -46,6 +58,7 @@ struct Joints {
   std::vector<JointState> state;            ///< per unit
   std::vector<std::uint8_t> released;       ///< per unit: the faces may separate and slide
   std::vector<PressureRamp> ramp;           ///< per unit, of the present coupling interval
+  std::vector<FaceMovement> movement;       ///< per unit; empty if nobody asks for sources
 
   [[nodiscard]] bool broken(UnitIndex unit) const {
     return properties[unit].cohesive.broken(state[unit].greatest_separation);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "structure/joints/face_movement.hpp"
+
 namespace fissura::structure {
 
 namespace {
@@ -126,7 +128,8 @@ void JointStep::advance_ordinary(const Ordinary& entry, const JointNodes& nodes,
           greatest_shear_traction(properties, state, impact - (state.held_normal + pair.pressure));
       const double sliding =
           sliding_velocity(pair, state.held_tangential * pair.length, before, greatest * pair.length, step);
-      if (sliding != 0) change_relative_velocity(pair, pair.tangent, sliding, nodes.velocity);
+      pair.stuck = sliding == 0;
+      if (!pair.stuck) change_relative_velocity(pair, pair.tangent, sliding, nodes.velocity);
       pair.rise = dilation_rise(properties, state, before, step);
       if (pair.rise > 0)
         change_relative_velocity(pair, pair.normal, pair.rise / (pair.flatness * step), nodes.velocity);
@@ -143,8 +146,11 @@ void JointStep::advance_ordinary(const Ordinary& entry, const JointNodes& nodes,
   }
   for (const NodeIndex node : {pair.minus, pair.plus})
     set(nodes.displacement, node, at(nodes.displacement, node) + step * at(nodes.velocity, node));
-  if (released)
-    observe(pair, joints.ramp[unit], controls.tau, properties, nodes.displacement, nodes.velocity, state);
+  if (!released) return;
+  const FacePlace before = place_of(state);
+  observe(pair, joints.ramp[unit], controls.tau, properties, nodes.displacement, nodes.velocity, state);
+  if (!joints.movement.empty())
+    note_failure(pair, properties, before, state, controls.tau, step, joints.movement[unit]);
 }
 
 }  // namespace fissura::structure

@@ -7,6 +7,8 @@
 #include <map>
 #include <numeric>
 
+#include "structure/joints/face_movement.hpp"
+
 namespace fissura::structure {
 
 namespace {
@@ -243,11 +245,17 @@ void JunctionStep::advance(std::size_t index, const JointNodes& nodes, const Joi
     set(nodes.displacement, node, at(nodes.displacement, node) + step * at(nodes.velocity, node));
   }
   for (std::size_t k = junction.units.begin; k < junction.units.end; ++k) {
-    const auto& [unit, place, pair] = units_[k];
+    const UnitIndex unit = units_[k].unit;
+    FacePair& pair = units_[k].pair;
     if (!joints.released[unit]) continue;
-    joints.state[unit].dilation += pair.rise;
+    JointState& state = joints.state[unit];
+    const FacePlace before = place_of(state);
+    pair.stuck = hold_[k].tangential;
+    state.dilation += pair.rise;
     observe(pair, joints.ramp[unit], controls.tau, joints.properties[unit], nodes.displacement,
-            nodes.velocity, joints.state[unit]);
+            nodes.velocity, state);
+    if (!joints.movement.empty())
+      note_failure(pair, joints.properties[unit], before, state, controls.tau, step, joints.movement[unit]);
   }
   const double pressure = pressure_of_mean_aperture(junction, controls.tau, joints);
   for (std::size_t k = junction.units.begin; k < junction.units.end; ++k)

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "common/byte_archive.hpp"
+#include "structure/seismicity/observed_rock.hpp"
+#include "structure/seismicity/source_moment.hpp"
+
+namespace fissura::structure {
+
+/// Contact units as seismic sources. The jump of a unit changes by what it does while it fails
+/// (FaceMovement), told at the end of the interval, and by the rest, which is kept until it is asked for: the
+/// sum of all that was told and what is kept is the present jump. What changes between two intervals (an
+/// insertion) is no source: it is taken note of as transfer.
+class FaceSources {
+ public:
+  /// Before the first step of an interval: takes the jumps as they are. @returns the moment that came and
+  /// went since the last one, with units that are new or were left  [N m]
+  PlaneTensor begin_interval(const ObservedRock& rock, double time, Joints& joints);
+
+  /// After the last step: adds the records of units that failed, without coupling index, and clears their
+  /// movement.
+  void end_interval(const ObservedRock& rock, const ObservedInterval& interval, Joints& joints,
+                    std::vector<SourceRecord>& records);
+
+  /// Adds what a unit did without failing since it was last told of.
+  void tell(const ObservedRock& rock, const ObservedInterval& interval, const Joints& joints, UnitIndex unit,
+            std::vector<SourceRecord>& records);
+  void tell_all(const ObservedRock& rock, const ObservedInterval& interval, const Joints& joints,
+                std::vector<SourceRecord>& records);
+
+  /// Units that a change of the mesh is about to touch are as new after it. @returns their moment so far,
+  /// less what was not told of it [N m]
+  PlaneTensor leave(const ObservedRock& rock, std::span<const UnitIndex> units);
+
+  void save(ByteWriter& bytes) const { bytes.put(known_); }
+  void restore(ByteReader& bytes) { bytes.get(known_); }
+
+ private:
+  struct Known {
+    std::array<double, 2> jump{};   ///< u_plus - u_minus at the end of the last interval [m]
+    std::array<double, 2> quiet{};  ///< part of it that came without failure and is not told yet [m]
+    double since = 0;               ///< time it was last told of [s]
+    PlaneTraction then;             ///< at that time
+    PlaneTraction last;             ///< at the end of the last interval
+    bool known = false;
+  };
+
+  std::vector<Known> known_;  ///< per unit
+};
+
+}  // namespace fissura::structure
