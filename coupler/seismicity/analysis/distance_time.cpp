@@ -22,7 +22,7 @@ struct Kind {
   const char *name, *meaning;
   double exponent;
 };
-constexpr Kind diffusion{"diffusion", "diffusion of pore pressure, or a fracture governed by leak-off",
+constexpr Kind diffusion{"diffusion", "pore pressure that spreads, or a fracture governed by leak-off",
                          1.0 / 2};
 constexpr Kind kinds[]{diffusion,
                        {"KGD", "a fracture in plane strain without leak-off", 2.0 / 3},
@@ -98,12 +98,9 @@ std::string verdict_on(const DistanceTime& result) {
                        result.envelope.time.size(), fewest_points);
   const GrowthLaw& nearest = result.laws[*result.nearest];
   const bool diffusive = result.fits && nearest.name == diffusion.name;
-  const std::string nearness = result.fits ? fmt::format("{} fits (t^{:.3f}: {}).", nearest.name,
-                                                         nearest.law.exponent, nearest.meaning)
-                                           : fmt::format("no law fits; the nearest is {} (t^{:.3f}: {}).",
-                                                         nearest.name, nearest.law.exponent, nearest.meaning);
-  return fmt::format("The envelope grows as t^{:.3f} +- {:.3f}: {}{}", result.fit->exponent,
-                     result.fit->exponent_sigma.value_or(0), diffusive ? "" : "not diffusive; ", nearness);
+  return fmt::format("{}iffusive: {} {}, t^{:.3f}, {}.", diffusive ? "D" : "Not d", nearest.name,
+                     result.fits ? "fits" : "is the nearest law, but does not fit", nearest.law.exponent,
+                     nearest.meaning);
 }
 
 void fit_laws(double end, DistanceTime& result) {

@@ -38,7 +38,7 @@ struct DistanceTime {
   std::vector<GrowthLaw> laws;    ///< empty without an envelope
   std::optional<std::size_t> nearest;  ///< law of the least misfit; none without a fit
   bool fits = false;    ///< the fitted exponent is that of the nearest law within its uncertainty
-  std::string verdict;  ///< a sentence
+  std::string verdict;  ///< a sentence; the fitted exponent stands beside it
   std::optional<DistanceCurve> back_front;  ///< of the diffusivity, in two dimensions, after shut-in
 };
 
