@@ -42,19 +42,28 @@ json pumping_json(const CsvColumns& history) {
           {"pressure", for_drawing(column_at(history, "well_pressure", rows))}};
 }
 
-SeismicSums sums_of_summary(const fs::path& file) {
-  try {
-    const json sums = json::parse(whole_text(file)).at("sums");
-    SeismicSums read;
-    read.raw = sums.at("raw");
-    read.aseismic = sums.at("aseismic");
-    read.event_moment = sums.at("event_moment");
-    read.seismic_sum = sums.at("seismic_sum");
-    read.aseismic_sum = sums.at("aseismic_sum");
-    return read;
-  } catch (const json::exception& fault) {
-    throw InputError(fmt::format("{} is damaged: {}", file.string(), fault.what()));
-  }
+SeismicSums sums_in(const json& summary) {
+  const json& sums = summary.at("sums");
+  SeismicSums read;
+  read.raw = sums.at("raw");
+  read.aseismic = sums.at("aseismic");
+  read.event_moment = sums.at("event_moment");
+  read.seismic_sum = sums.at("seismic_sum");
+  read.aseismic_sum = sums.at("aseismic_sum");
+  return read;
+}
+
+/// The catalogue may have been made again with other thresholds than those of the case.
+void take_thresholds(const json& summary, Seismicity& thresholds) {
+  const json& parameters = summary.at("parameters");
+  thresholds.slip_rate = parameters.at("slip_rate");
+  thresholds.stress_drop = parameters.at("stress_drop");
+  thresholds.failure_rate = parameters.at("failure_rate");
+  thresholds.cluster_radius = parameters.at("cluster_radius");
+  thresholds.cluster_time = parameters.at("cluster_time");
+  thresholds.rest_time = parameters.at("rest_time");
+  thresholds.thickness = parameters.at("thickness_equidimensional") == 1 ? SourceThickness::equidimensional
+                                                                         : SourceThickness::layer;
 }
 
 /// What is still open counts as aseismic in the tensor, and not at all in the sums. Sums are those of the
@@ -79,10 +88,17 @@ SeismicSums sums_so_far(const std::vector<SeismicEvent>& events, const CsvColumn
   return sums;
 }
 
-SeismicSums sums_of_run(const fs::path& folder, const std::vector<SeismicEvent>& events,
-                        const CsvColumns& history, double thickness) {
-  if (fs::exists(folder / "summary.json")) return sums_of_summary(folder / "summary.json");
-  return sums_so_far(events, history, thickness);
+/// Of the catalogue's own summary, with its thresholds, or of the run so far.
+SeismicSums sums_of_catalogue(const fs::path& summary_file, const std::vector<SeismicEvent>& events,
+                              const CsvColumns& history, Case& run_case) {
+  if (!fs::exists(summary_file)) return sums_so_far(events, history, run_case.domain.thickness);
+  try {
+    const json summary = json::parse(whole_text(summary_file));
+    take_thresholds(summary, run_case.seismicity);
+    return sums_in(summary);
+  } catch (const json::exception& fault) {
+    throw InputError(fmt::format("{} is damaged: {}", summary_file.string(), fault.what()));
+  }
 }
 
 json distance_json(const std::vector<SeismicEvent>& events, const std::vector<std::size_t>& shown,
@@ -145,8 +161,8 @@ json seismic_data(const fs::path& run_directory, const json& run_case, const Csv
   const std::vector<SeismicEvent> events = read_catalogue_csv(folder / "catalogue.csv");
   if (events.empty()) return nullptr;
 
-  const Case typed = case_from_json(run_case);
-  const SeismicSums sums = sums_of_run(folder, events, history, typed.domain.thickness);
+  Case typed = case_from_json(run_case);
+  const SeismicSums sums = sums_of_catalogue(folder / "summary.json", events, history, typed);
   const std::vector<std::size_t> shown = events_to_draw(events, most_events);
   double last = 0;
   for (const SeismicEvent& event : events) last = std::max(last, event.centroid_time);

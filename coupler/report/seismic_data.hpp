@@ -26,9 +26,9 @@ InjectedVolume injected_volume(const CsvColumns& history);
 ///                        fractures that have slipped, at the report of `joints` nearest to the last event;
 ///                        or null
 ///   caption              how the events were made, for every picture
-/// Null without seismicity/catalogue.csv or an event in it. Sums are those of seismicity/summary.json or,
-/// while the run goes on, of the last line of `history`. `joints`: joint_map.hpp, may be null.
-/// Throws InputError if a file is damaged.
+/// Null without seismicity/catalogue.csv or an event in it. Sums and thresholds are those of
+/// seismicity/summary.json or, while the run goes on, of the last line of `history` and the case. `joints`:
+/// joint_map.hpp, may be null. Throws InputError if a file is damaged.
 nlohmann::json seismic_data(const std::filesystem::path& run_directory, const nlohmann::json& run_case,
                             const CsvColumns& history, const nlohmann::json& joints);
 

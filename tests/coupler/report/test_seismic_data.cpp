@@ -11,6 +11,7 @@
 #include "coupler/report/seismic_data.hpp"
 #include "coupler/report/seismic_events.hpp"
 #include "coupler/seismicity/catalogue/catalogue_csv.hpp"
+#include "coupler/seismicity/catalogue/controls_text.hpp"
 #include "tests/coupler/record/sample_run.hpp"
 #include "tests/coupler/report/small_run.hpp"
 
@@ -128,14 +129,24 @@ TEST_CASE("the catalogue in a report: columns of the events, sums of the run, an
   CHECK_THAT(data["caption"].get<std::string>(), Catch::Contains("slip is seismic from 0.001 m/s"));
 }
 
-TEST_CASE("once a run has ended its own sums are shown", "[coupler][report]") {
+TEST_CASE("once a run has ended the sums and thresholds of its catalogue are shown", "[coupler][report]") {
   const SeismicRun run({event_of(1, 0.25, 1e6)});
-  std::ofstream(run.path() / "seismicity" / "summary.json")
-      << R"({"sums": {"raw": [1, 2, 3, 4], "aseismic": [1, 1, 1, 1], "event_moment": 1e6, "seismic_sum": 2e6,)"
-      << R"( "aseismic_sum": 6e6}})";
-  const nlohmann::json totals = run.data()["totals"];
-  CHECK(totals["raw"] == nlohmann::json({1, 2, 3, 4}));
-  CHECK(totals["seismic_fraction"] == 0.25);
+  nlohmann::json summary;
+  summary["sums"] = {{"raw", {1, 2, 3, 4}},
+                     {"aseismic", {1, 1, 1, 1}},
+                     {"event_moment", 1e6},
+                     {"seismic_sum", 2e6},
+                     {"aseismic_sum", 6e6}};
+  for (const Control& control : controls_of(extraction_controls(pumped_shale())))
+    summary["parameters"][std::string(control.name)] = control.value;
+  summary["parameters"]["cluster_radius"] = 7.5;
+  summary["parameters"]["thickness_equidimensional"] = 1;
+  std::ofstream(run.path() / "seismicity" / "summary.json") << summary;
+  const nlohmann::json data = run.data();
+  CHECK(data["totals"]["raw"] == nlohmann::json({1, 2, 3, 4}));
+  CHECK(data["totals"]["seismic_fraction"] == 0.25);
+  CHECK_THAT(data["caption"].get<std::string>(),
+             Catch::Contains("within 7.5 m") && Catch::Contains("as much as its length"));
   std::ofstream(run.path() / "seismicity" / "summary.json") << "{}";
   CHECK_THROWS_AS(report_data(run.path()), InputError);
 }
