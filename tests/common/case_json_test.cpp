@@ -27,6 +27,15 @@ bedding_azimuth = "20 degree"
 [growth]
 path = "free"
 tip = "damage"
+[seismicity]
+thickness = "equidimensional"
+cluster_radius = "3 m"
+[georeference]
+latitude = "56.7 degree"
+longitude = "-3 degree"
+depth = "2 km"
+start = "2026-01-31T12:00:00Z"
+section_azimuth = "30 degree"
 [[mesh.refinement]]
 size = "1 m"
 west = "0 m"
@@ -56,6 +65,11 @@ TEST_CASE("a case survives the way to a participant bit by bit", "[common][case]
   CHECK(received.mesh.refinements.at(0).east == 10);
   CHECK(received.growth.tip == TipRule::damage);
   CHECK(received.injection.stages.at(1).control == StageControl::shut_in);
+  CHECK(received.seismicity.thickness == SourceThickness::equidimensional);
+  CHECK(received.seismicity.cluster_radius == 3);
+  REQUIRE(received.georeference.has_value());
+  CHECK(received.georeference->latitude == 56.7);
+  CHECK(received.georeference->section_azimuth == sent.georeference->section_azimuth);
 }
 
 TEST_CASE("the JSON of a case has the member names of case.hpp as keys and SI numbers",
