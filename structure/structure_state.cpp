@@ -47,8 +47,8 @@ double stable_step(const StructureModel& model, const Geometry& geometry, const 
 
 ObservedRock observed_rock(const StructureModel& model, const Geometry& geometry,
                            const StructureState& state) {
-  return {geometry.mesh,  geometry.body,           geometry.tiles, model.moduli, model.run_case.domain.thickness,
-          geometry.number, state.body.displacement, state.body.damage};
+  return {geometry.mesh,   geometry.body,   geometry.tiles,          model.moduli,
+          model.run_case,  geometry.number, state.body.displacement, state.body.damage};
 }
 
 double connected_half_length(const FractureNetwork& network) {

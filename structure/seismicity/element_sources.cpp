@@ -41,7 +41,7 @@ StressPair stress_of(const ObservedRock& rock, ElementIndex element, const Damag
 }
 
 double volume_of(const ObservedRock& rock, ElementIndex element) {
-  return rock.thickness * element_area(rock.mesh, element);
+  return rock.thickness() * element_area(rock.mesh, element);
 }
 
 // Edge of the equilateral triangle of the same area.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "structure/dynamics/in_situ.hpp"
 #include "structure/joints/face_pair.hpp"
 
 namespace fissura::structure {
@@ -23,7 +24,7 @@ struct Faces {
 Faces faces_of(const ObservedRock& rock, UnitIndex index) {
   const ContactUnit& unit = rock.mesh.units[index];
   const double length = std::hypot(unit.face[0], unit.face[1]);
-  return {{unit.face[0] / length, unit.face[1] / length}, rock.thickness * length};
+  return {{unit.face[0] / length, unit.face[1] / length}, rock.thickness() * length};
 }
 
 Plane jump_of(const ObservedRock& rock, UnitIndex index) {
@@ -69,6 +70,17 @@ PlaneTraction transmitted(const Joints& joints, UnitIndex unit) {
   return {pull.normal, pull.tangential};
 }
 
+// Of faces that no step has seen yet.
+PlaneTraction in_situ_traction(const ObservedRock& rock, UnitIndex unit) {
+  const InSituState state =
+      in_situ_state(rock.run_case, rock.mesh.vertices[rock.mesh.units[unit].vertex].position);
+  return traction_on({state.stress, state.out_of_plane}, faces_of(rock, unit).normal);
+}
+
+bool unseen(const JointState& state) {
+  return state.closed && state.held_normal == 0 && state.held_tangential == 0;
+}
+
 SourceRecord record_of(const ObservedRock& rock, const ObservedInterval& interval, const Joints& joints,
                        UnitIndex index, const Plane& jump, const PlaneTraction& before,
                        const PlaneTraction& after) {
@@ -112,7 +124,8 @@ PlaneTensor FaceSources::begin_interval(const ObservedRock& rock, double time, J
       came = came + moment(rock, unit, {jump[0] - known.jump[0], jump[1] - known.jump[1]});
     } else {
       came = came + moment(rock, unit, jump);
-      const PlaneTraction traction = transmitted(joints, unit);
+      const PlaneTraction traction =
+          unseen(joints.state[unit]) ? in_situ_traction(rock, unit) : transmitted(joints, unit);
       known = {{}, {}, time, traction, traction, true};
     }
     known.jump = jump;

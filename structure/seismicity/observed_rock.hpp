@@ -14,11 +14,13 @@ namespace fissura::structure {
 
 /// What the observer of seismic sources looks at and does not keep.
 struct ObservedRock {
+  [[nodiscard]] double thickness() const { return run_case.domain.thickness; }
+
   const Mesh& mesh;
   const Body& body;
   const Tiles& tiles;
   const Elasticity& moduli;
-  double thickness = 0;        ///< of the layer [m]
+  const Case& run_case;
   std::uint64_t geometry = 0;  ///< number of the mesh
   const std::vector<double>& displacement;
   const Damage& damage;
