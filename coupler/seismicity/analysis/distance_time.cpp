@@ -98,9 +98,9 @@ std::string verdict_on(const DistanceTime& result) {
                        result.envelope.time.size(), fewest_points);
   const GrowthLaw& nearest = result.laws[*result.nearest];
   const bool diffusive = result.fits && nearest.name == diffusion.name;
-  return fmt::format("{}iffusive: {} {}, t^{:.3f}, {}.", diffusive ? "D" : "Not d", nearest.name,
-                     result.fits ? "fits" : "is the nearest law, but does not fit", nearest.law.exponent,
-                     nearest.meaning);
+  return fmt::format("{}iffusive: {} (t^{:.3f}, {}).", diffusive ? "D" : "Not d",
+                     result.fits ? nearest.name + " fits" : "no law fits, the nearest is " + nearest.name,
+                     nearest.law.exponent, nearest.meaning);
 }
 
 void fit_laws(double end, DistanceTime& result) {
