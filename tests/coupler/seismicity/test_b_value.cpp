@@ -133,7 +133,7 @@ TEST_CASE("b-value: in bins of 0.1 Utsu is 1.7 % low at b = 2, the geometric est
 
 TEST_CASE("b-value: a cut catalogue has the same b and completeness above the fullest bin",
           "[coupler][seismicity][analysis]") {
-  // Below -1 a third of the events is lost at random, so the fullest bin is the one at -1.
+  // Below -0.95 nine of ten events are lost, so the fullest bin is the one at -0.9.
   std::vector<double> magnitudes;
   std::size_t number = 0;
   for (const double magnitude : quantiles(20000, 1, -1.55))
