@@ -43,7 +43,8 @@ void add_seismicity_options(CLI::App& command, fissura::coupler::SeismicityOptio
   command.add_option("--minimum-magnitude", options.minimum_magnitude,
                      "leaves smaller events out of points and QuakeML");
   command.add_option("--formats", options.formats, "of csv,hdf5,points,quakeml; all if not given")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command.add_option("--out", options.directory, "folder to write; RUN/seismicity_rebuilt if not given");
 }
 

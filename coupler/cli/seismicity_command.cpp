@@ -12,6 +12,9 @@
 #include "common/case/names.hpp"
 #include "common/case/units.hpp"
 #include "common/errors.hpp"
+#include "coupler/report/csv_columns.hpp"
+#include "coupler/report/seismic_data.hpp"
+#include "coupler/seismicity/analysis/analysis_json.hpp"
 #include "coupler/seismicity/catalogue/catalogue.hpp"
 #include "coupler/seismicity/catalogue/raw_records.hpp"
 
@@ -94,18 +97,29 @@ void print_table(const std::vector<SeismicEvent>& events, const SeismicSums& sum
             "raw - aseismic - events, relative");
 }
 
+void print_b_value(const nlohmann::json& magnitudes) {
+  const nlohmann::json& b = magnitudes.at("b");
+  if (b.is_null())
+    print_row("b", "-", magnitudes.at("not_reported").get<std::string>().c_str());
+  else
+    print_row(
+        "b", fmt::format("{:.3f}", b.at("value").get<double>()),
+        fmt::format("+- {:.3f} ({})", b.at("sigma_shi_bolt").get<double>(), b.at("method").get<std::string>())
+            .c_str());
+}
+
 }  // namespace
 
 int seismicity_command(const SeismicityOptions& options) {
-  const Case run_case = case_from_json(json_file(options.run_directory / "effective_case.json"));
+  Case run_case = case_from_json(json_file(options.run_directory / "effective_case.json"));
   const nlohmann::json run = json_file(options.run_directory / "run.json");
   if (!run_case.seismicity.active)
     throw Error(ExitCode::precondition,
                 "the case says seismicity.active = false: its run recorded no sources");
 
-  CatalogueContext context{run.value("run_id", ""), run.value("title", ""), run.value("started", ""),
-                           extraction_controls(run_case), run_case.georeference};
-  context.controls.thresholds = changed(run_case.seismicity, options);
+  run_case.seismicity = changed(run_case.seismicity, options);
+  const CatalogueContext context{run.value("run_id", ""), run.value("title", ""), run.value("started", ""),
+                                 extraction_controls(run_case), run_case.georeference};
   const CatalogueChoice choice{formats_of(options, context), options.minimum_magnitude};
 
   Extraction extraction(context.controls);
@@ -119,8 +133,12 @@ int seismicity_command(const SeismicityOptions& options) {
   take(extraction.finish());
 
   const fs::path directory = options.directory.value_or(options.run_directory / "seismicity_rebuilt");
-  write_catalogue(directory, events, extraction.sums(), context, nullptr, choice);
+  const nlohmann::json analysis =
+      analysis_json(events, run_case, injected_volume(CsvColumns(options.run_directory / "history.csv")),
+                    extraction.sums());
+  write_catalogue(directory, events, extraction.sums(), context, analysis, choice);
   print_table(events, extraction.sums(), choice);
+  print_b_value(analysis.at("frequency_magnitude"));
   fmt::print("{}\n", directory.string());
   return static_cast<int>(ExitCode::done);
 }

@@ -9,12 +9,13 @@
 #include "common/case/case_json.hpp"
 #include "coupler/record/checked_file.hpp"
 #include "coupler/record/segments.hpp"
+#include "coupler/seismicity/analysis/analysis_json.hpp"
 #include "coupler/seismicity/catalogue/catalogue.hpp"
 #include "tests/coupler/seismicity/catalogue/sample_events.hpp"
 
 // sample_catalogue DIR EVENTS [unplaced]
-// Writes what a run with that many events leaves behind: case, run.json, records of sources in two segments,
-// and the catalogue in all formats. Prints the seconds that each of them took, as JSON.
+// Writes what a run with that many events leaves behind: case, run.json, history, records of sources in two
+// segments, and the catalogue in all formats. Prints the seconds that each of them took, as JSON.
 namespace {
 
 using namespace fissura;
@@ -73,6 +74,9 @@ int main(int argc, char** argv) {
   write_records(directory, records);
   Extraction extraction(context.controls);
   const std::vector<SeismicEvent> events = extract(extraction, records);
+  const InjectedVolume injected{{0, 100}, {0, 1}};
+  write_whole_file(directory / "history.csv", "time,injected\n0,0\n100,1\n");
+  const nlohmann::json analysis = analysis_json(events, run_case, injected, extraction.sums());
   nlohmann::ordered_json seconds;
   for (const char* word : {"csv", "hdf5", "points", "quakeml"}) {
     const CatalogueFormat format = format_of(word);
@@ -83,7 +87,7 @@ int main(int argc, char** argv) {
   }
   fs::remove_all(directory / "one_format");
   seconds["all"] = seconds_of([&] {
-    write_catalogue(directory / "seismicity", events, extraction.sums(), context, nullptr,
+    write_catalogue(directory / "seismicity", events, extraction.sums(), context, analysis,
                     {possible_formats(context), std::nullopt});
   });
   fmt::print("{}\n", nlohmann::ordered_json{{"events", events.size()}, {"seconds", seconds}}.dump());

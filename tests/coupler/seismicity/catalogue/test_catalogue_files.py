@@ -165,6 +165,12 @@ class Files(unittest.TestCase):
         self.assertEqual(reader.text(self.parameters, "creationInfo", "creationTime"), "2026-02-01T10:20:30Z")
         self.assertIn("sample of a <catalogue> & more", reader.text(self.parameters, "description"))
 
+    def test_every_column_is_documented(self):
+        page = (pathlib.Path(__file__).resolve().parents[4] / "docs/results.md").read_text(encoding="utf-8")
+        section = page.split("## seismicity/")[1].split("\n## ")[0]
+        for column in self.rows[0]:
+            self.assertIn(f"`{column}`", section)
+
     def test_points(self):
         count, vertices, arrays = reader.points(self.catalogue / "catalogue.vtp")
         self.assertEqual((count, vertices), (len(self.rows), len(self.rows)))
