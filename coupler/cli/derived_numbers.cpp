@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "coupler/seismicity/analysis/frequency_magnitude.hpp"
+
 namespace fissura::coupler {
 
 namespace {
@@ -47,24 +49,30 @@ std::vector<DerivedNumber> derived_numbers(const Case& run_case) {
   numbers.push_back({"fracture toughness", toughness, "Pa m^0.5", "sqrt(E' G_f)"});
   const double zone = modulus * rock.fracture_energy / (rock.tensile_strength * rock.tensile_strength);
   numbers.push_back({"cohesive length", zone, "m",
-                     h > 0.3 * zone ? "longer elements than 0.3 of it: near the toughness end lengths come out short"
-                                    : "elements are short enough"});
+                     h > 0.3 * zone
+                         ? "longer elements than 0.3 of it: near the toughness end lengths come out short"
+                         : "elements are short enough"});
   for (const Stage& stage : run_case.injection.stages) {
     const Fluid* fluid = fluid_named(run_case, stage.fluid);
     if (stage.control != StageControl::rate || fluid == nullptr || fluid->power_index != 1) continue;
     const double rate = stage.rate / run_case.domain.thickness;
     const double k = std::sqrt(32 / std::numbers::pi) * toughness;
-    const double km = std::pow(std::pow(k, 4) / (12 * fluid->consistency_index * rate * std::pow(modulus, 3)), 0.25);
+    const double km =
+        std::pow(std::pow(k, 4) / (12 * fluid->consistency_index * rate * std::pow(modulus, 3)), 0.25);
     numbers.push_back({"dimensionless toughness", km, "1", regime(km)});
   }
   numbers.push_back({"compression wave speed", compression_wave(rock), "m/s", ""});
   const double step = step_of_regular_triangle(run_case);
-  numbers.push_back({"explicit step at physical density", step, "s", "of a regular element; the mesh decides"});
+  numbers.push_back(
+      {"explicit step at physical density", step, "s", "of a regular element; the mesh decides"});
   const double first = step * std::sqrt(run_case.dynamics.initial_mass_scale);
   numbers.push_back({"explicit step at the start", first, "s", "with the initial mass scale"});
   numbers.push_back({"explicit steps at most", run_case.time.end / first, "1", "mass scaling lowers it"});
-  numbers.push_back({"coupling intervals at most", run_case.time.end / first / run_case.coupling.minimum_steps, "1", ""});
+  numbers.push_back(
+      {"coupling intervals at most", run_case.time.end / first / run_case.coupling.minimum_steps, "1", ""});
   numbers.push_back({"field reports", std::floor(run_case.time.end / run_case.output.interval), "1", ""});
+  numbers.push_back({"magnitude of an element that opens fully", numerical_magnitude_floor(run_case), "1",
+                     "at the tips; smaller events show the mesh"});
   return numbers;
 }
 
