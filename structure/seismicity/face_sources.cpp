@@ -13,8 +13,8 @@ namespace {
 
 using Plane = std::array<double, 2>;
 
-constexpr double negligible_failure = 1e-11;  // path of the jump in an interval [m]
-constexpr double negligible_motion = 1e-13;   // of a unit that did not fail [m]
+constexpr double told_from = 1e-9;           // change of a jump that fails [m]
+constexpr double negligible_motion = 1e-13;  // of a unit that did not fail [m]
 
 struct Faces {
   Plane normal{};
@@ -126,11 +126,29 @@ PlaneTensor FaceSources::begin_interval(const ObservedRock& rock, double time, J
       came = came + moment(rock, unit, jump);
       const PlaneTraction traction =
           unseen(joints.state[unit]) ? in_situ_traction(rock, unit) : transmitted(joints, unit);
-      known = {{}, {}, time, traction, traction, true};
+      known = {{}, {}, {}, time, traction, traction, true};
     }
     known.jump = jump;
   }
   return came;
+}
+
+void FaceSources::add(const FaceMovement& movement, const ObservedInterval& interval, const Plane& normal,
+                      const PlaneTraction& before, Failed& failed) {
+  if (failed.path == 0) {
+    failed.begin = interval.begin_of_step(movement.first);
+    failed.before = before;
+  }
+  const auto [nx, ny] = normal;
+  failed.end = interval.time(movement.last);
+  failed.path_time +=
+      movement.path_time * (interval.end - interval.begin) + movement.path * (interval.begin - failed.begin);
+  failed.path += movement.path;
+  failed.jump[0] += movement.opening * nx + movement.sliding * ny;
+  failed.jump[1] += movement.opening * ny - movement.sliding * nx;
+  failed.growth += movement.growth;
+  failed.peak_rate = std::max(failed.peak_rate, movement.peak_rate);
+  failed.cracked = failed.cracked || movement.cracked;
 }
 
 void FaceSources::end_interval(const ObservedRock& rock, const ObservedInterval& interval, Joints& joints,
@@ -140,40 +158,40 @@ void FaceSources::end_interval(const ObservedRock& rock, const ObservedInterval&
     const Plane jump = jump_of(rock, unit);
     const PlaneTraction before = known.last;
     known.last = transmitted(joints, unit);
-    for (std::size_t axis = 0; axis < 2; ++axis) known.quiet[axis] += jump[axis] - known.jump[axis];
+    for (std::size_t axis = 0; axis < 2; ++axis) known.untold[axis] += jump[axis] - known.jump[axis];
     known.jump = jump;
     FaceMovement& movement = joints.movement[unit];
     if (movement.path == 0) continue;
-    if (movement.path > negligible_failure) {
-      const auto [nx, ny] = faces_of(rock, unit).normal;
-      const Plane failed{movement.opening * nx + movement.sliding * ny,
-                         movement.opening * ny - movement.sliding * nx};
-      for (std::size_t axis = 0; axis < 2; ++axis) known.quiet[axis] -= failed[axis];
-      SourceRecord& record =
-          records.emplace_back(record_of(rock, interval, joints, unit, failed, before, known.last));
-      record.kind = movement.cracked ? SourceKind::new_crack : SourceKind::contact_slip;
-      record.failing = true;
-      record.begin = interval.begin_of_step(movement.first);
-      record.end = interval.time(movement.last);
-      record.centroid_time =
-          std::clamp(interval.time(movement.path_time / movement.path), record.begin, record.end);
-      record.measure = movement.growth;
-      record.peak_rate = movement.peak_rate;
-    }
+    Failed& failed = known.failed;
+    add(movement, interval, faces_of(rock, unit).normal, before, failed);
     movement = {};
+    if (std::hypot(failed.jump[0], failed.jump[1]) <= told_from) continue;
+    for (std::size_t axis = 0; axis < 2; ++axis) known.untold[axis] -= failed.jump[axis];
+    SourceRecord& record =
+        records.emplace_back(record_of(rock, interval, joints, unit, failed.jump, failed.before, known.last));
+    record.kind = failed.cracked ? SourceKind::new_crack : SourceKind::contact_slip;
+    record.failing = true;
+    record.begin = failed.begin;
+    record.end = failed.end;
+    record.centroid_time =
+        std::clamp(failed.begin + failed.path_time / failed.path, failed.begin, failed.end);
+    record.measure = failed.growth;
+    record.peak_rate = failed.peak_rate;
+    failed = {};
   }
 }
 
 void FaceSources::tell(const ObservedRock& rock, const ObservedInterval& interval, const Joints& joints,
                        UnitIndex unit, std::vector<SourceRecord>& records) {
   Known& known = known_[unit];
-  if (std::hypot(known.quiet[0], known.quiet[1]) <= negligible_motion) return;
+  if (std::hypot(known.untold[0], known.untold[1]) <= negligible_motion) return;
   SourceRecord& record =
-      records.emplace_back(record_of(rock, interval, joints, unit, known.quiet, known.then, known.last));
+      records.emplace_back(record_of(rock, interval, joints, unit, known.untold, known.then, known.last));
   record.kind = SourceKind::contact_opening;
   record.begin = known.since;
   record.centroid_time = (known.since + interval.end) / 2;
-  known.quiet = {};
+  known.untold = {};
+  known.failed = {};
   known.since = interval.end;
   known.then = known.last;
 }
@@ -188,7 +206,7 @@ PlaneTensor FaceSources::leave(const ObservedRock& rock, std::span<const UnitInd
   for (const UnitIndex unit : units) {
     if (unit >= known_.size() || !known_[unit].known) continue;
     Known& known = known_[unit];
-    told = told + moment(rock, unit, {known.jump[0] - known.quiet[0], known.jump[1] - known.quiet[1]});
+    told = told + moment(rock, unit, {known.jump[0] - known.untold[0], known.jump[1] - known.untold[1]});
     known = {};
   }
   return told;

@@ -11,9 +11,10 @@
 namespace fissura::structure {
 
 /// Contact units as seismic sources. The jump of a unit changes by what it does while it fails
-/// (FaceMovement), told at the end of the interval, and by the rest, which is kept until it is asked for: the
-/// sum of all that was told and what is kept is the present jump. What changes between two intervals (an
-/// insertion) is no source: it is taken note of as transfer.
+/// (FaceMovement), told at the end of the interval in which that has come to more than a nanometre, and by
+/// the rest, which is kept until it is asked for: the sum of all that was told and what is kept is the
+/// present jump. What changes between two intervals (an insertion) is no source: it is taken note of as
+/// transfer.
 class FaceSources {
  public:
   /// Before the first step of an interval: takes the jumps as they are. @returns the moment that came and
@@ -39,14 +40,30 @@ class FaceSources {
   void restore(ByteReader& bytes) { bytes.get(known_); }
 
  private:
+  /// What a unit did while it failed since that was last told.
+  struct Failed {
+    double begin = 0, end = 0;     ///< [s]
+    double path = 0;               ///< of the jump [m]; 0: nothing
+    double path_time = 0;          ///< sum of path times time since `begin` [m s]
+    std::array<double, 2> jump{};  ///< its change [m]
+    double growth = 0;             ///< of slip or greatest separation [m]
+    double peak_rate = 0;          ///< [m/s]
+    PlaneTraction before;          ///< at the begin of the interval of `begin`
+    bool cracked = false;          ///< cohesion wore off
+  };
+
   struct Known {
-    std::array<double, 2> jump{};   ///< u_plus - u_minus at the end of the last interval [m]
-    std::array<double, 2> quiet{};  ///< part of it that came without failure and is not told yet [m]
-    double since = 0;               ///< time it was last told of [s]
-    PlaneTraction then;             ///< at that time
-    PlaneTraction last;             ///< at the end of the last interval
+    std::array<double, 2> jump{};    ///< u_plus - u_minus at the end of the last interval [m]
+    std::array<double, 2> untold{};  ///< part of it that is not told yet [m]
+    Failed failed;                   ///< part of that
+    double since = 0;                ///< time it was last told of [s]
+    PlaneTraction then;              ///< at that time
+    PlaneTraction last;              ///< at the end of the last interval
     bool known = false;
   };
+
+  static void add(const FaceMovement& movement, const ObservedInterval& interval,
+                  const std::array<double, 2>& normal, const PlaneTraction& before, Failed& failed);
 
   std::vector<Known> known_;  ///< per unit
 };
