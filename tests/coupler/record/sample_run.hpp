@@ -10,25 +10,11 @@
 #include "common/fracture_network/fracture_network.hpp"
 #include "coupler/record/interval_record.hpp"
 #include "coupler/record/segments.hpp"
+#include "tests/coupler/temporary_directory.hpp"
 
 /// A run small enough to be written down: a square of two triangles with a fracture of three nodes.
 namespace fissura::coupler::sample {
 
-/// A fresh directory in the system's temporary folder, removed at the end.
-class TemporaryDirectory {
- public:
-  TemporaryDirectory();
-  ~TemporaryDirectory();
-  TemporaryDirectory(const TemporaryDirectory&) = delete;
-  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-std::string content(const std::filesystem::path& file);
-std::vector<std::string> lines(const std::filesystem::path& file);
 std::vector<double> doubles(const Array& array);
 
 /// Revision 0: nodes 10, 11, 12 in a row; segments 20, 21.

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/coupler/seismicity/catalogue/sample_events.hpp"
 
-#include <stdlib.h>
-
 #include <bit>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <numbers>
 #include <random>
-#include <sstream>
 #include <tuple>
 
 namespace fissura::coupler::sample {
@@ -113,22 +109,6 @@ auto rest_of(const SeismicEvent& e) {
 }
 
 }  // namespace
-
-TemporaryDirectory::TemporaryDirectory() {
-  std::string name = (std::filesystem::temp_directory_path() / "fissura_catalogue_XXXXXX").string();
-  path_ = ::mkdtemp(name.data());
-}
-
-TemporaryDirectory::~TemporaryDirectory() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-std::string content(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 std::vector<SeismicEvent> random_events(std::size_t count, std::uint32_t seed) {
   Random random(seed);

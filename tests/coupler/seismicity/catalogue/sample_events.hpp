@@ -8,23 +8,9 @@
 
 #include "coupler/seismicity/catalogue/catalogue_context.hpp"
 #include "coupler/seismicity/seismic_event.hpp"
+#include "tests/coupler/temporary_directory.hpp"
 
 namespace fissura::coupler::sample {
-
-/// A fresh directory in the system's temporary folder, removed at the end.
-class TemporaryDirectory {
- public:
-  TemporaryDirectory();
-  ~TemporaryDirectory();
-  TemporaryDirectory(const TemporaryDirectory&) = delete;
-  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-std::string content(const std::filesystem::path& file);
 
 /// Every member random, over the whole range of sizes and signs that it can have; nothing fits together.
 /// Every seventh has no magnitude; among them are zeros of both signs and the smallest and greatest numbers.
