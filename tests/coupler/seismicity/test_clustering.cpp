@@ -4,6 +4,7 @@
 #include <numeric>
 #include <random>
 
+#include "coupler/seismicity/clustering.hpp"
 #include "tests/coupler/seismicity/sample_sources.hpp"
 
 using namespace fissura;
@@ -27,15 +28,17 @@ std::vector<SourceRecord> chain_of_joints() {
   return records;
 }
 
-/// Joints that fail once each, in a square; radii differ eightfold, speeds of waves tenfold.
+/// Joints that fail once each, in a square, some in the same place; radii differ eightfold, speeds of waves
+/// tenfold.
 std::vector<SourceRecord> scattered_joints(std::uint64_t seed, std::size_t count) {
   std::mt19937_64 random(seed);
   const auto uniform = [&random] { return static_cast<double>(random() >> 11) * 0x1p-53; };
   std::vector<SourceRecord> records;
   for (std::size_t k = 0; k < count; ++k) {
     const SourceKind kind = uniform() < 0.5 ? SourceKind::contact_slip : SourceKind::new_crack;
-    SourceRecord record = joint_record(kind, k, uniform(), {40 * (uniform() - 0.5), 40 * (uniform() - 0.5)},
-                                       {1e-3 * uniform(), 1e-3 * uniform()});
+    SourceRecord record =
+        joint_record(kind, k, uniform(), {std::floor(40 * uniform()), std::floor(40 * uniform())},
+                     {1e-3 * uniform(), 1e-3 * uniform()});
     record.end = record.centroid_time = record.begin;
     record.element_size = std::exp2(3 * uniform() - 1.5);
     record.mass_scale = uniform() < 0.5 ? 1e4 : 1e6;
@@ -157,15 +160,47 @@ TEST_CASE("a chain of neighbours is one event, the same bits for any order of th
   CHECK(events_of(shale_controls(), records).size() == 2);
 }
 
-TEST_CASE("records that differ in their moments only are summed in one order", "[coupler][seismicity]") {
+TEST_CASE("records that only differ in what they lost are taken in one order", "[coupler][seismicity]") {
   std::vector<SourceRecord> records(50, slip_record(1, 0, {0, 0}));
   for (std::size_t k = 0; k < records.size(); ++k)
-    records[k].moment[3] *= 1 + std::sin(static_cast<double>(k)) * 1e3;
+    records[k].shear_before += 1e5 * std::sin(static_cast<double>(k));
   const std::vector<SeismicEvent> events = events_of(shale_controls(), records);
   for (int seed = 0; seed < seeds; ++seed) {
     std::shuffle(records.begin(), records.end(), std::mt19937_64(static_cast<std::uint64_t>(seed)));
     REQUIRE(bytes_of(events_of(shale_controls(), records)) == bytes_of(events));
   }
+}
+
+TEST_CASE("a source is found again among thousands that came after it", "[coupler][seismicity]") {
+  ExtractionControls controls = shale_controls();
+  controls.thresholds.cluster_time = 1;
+  constexpr std::uint64_t places = 6000;
+  std::vector<SourceRecord> records;
+  for (std::uint64_t k = 0; k < 2 * places; ++k)
+    records.push_back(slip_record(k, (k < places ? 0 : 0.5) + 1e-5 * static_cast<double>(k % places),
+                                  {10.0 * static_cast<double>(k % places), 0}));
+  const std::vector<SeismicEvent> events = events_of(controls, records);
+  CHECK(events.size() == places);
+  CHECK(std::all_of(events.begin(), events.end(),
+                    [](const SeismicEvent& event) { return event.sources == 2; }));
+}
+
+TEST_CASE("a cluster comes out in the order of its sources", "[coupler][seismicity]") {
+  Clustering clustering;
+  for (int k = 0; k < 6; ++k) {
+    Source source;
+    source.number = static_cast<std::uint64_t>(k);
+    source.time = k;
+    source.reach = 10;
+    source.cluster_radius = 1;
+    // Two apart, then those between.
+    source.position = {k < 2 ? 1.5 * k : k == 5 ? 0.75 : -k, 0};
+    clustering.add(source);
+  }
+  const auto clusters = clustering.take_closed(11);
+  REQUIRE(clusters.size() == 2);
+  for (const std::vector<Source>& sources : clusters)
+    for (std::size_t k = 1; k < sources.size(); ++k) CHECK(sources[k - 1].number < sources[k].number);
 }
 
 TEST_CASE("clusters are those of all pairs", "[coupler][seismicity]") {

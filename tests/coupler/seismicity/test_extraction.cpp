@@ -150,8 +150,9 @@ TEST_CASE("sums of terms that cancel keep their digits", "[coupler][seismicity]"
 }
 
 TEST_CASE("a record that began before the last call counts from then", "[coupler][seismicity]") {
-  Extraction extraction(narrow_controls());
-  extraction.advance(5, {});
+  Extraction before(narrow_controls()), extraction(narrow_controls());
+  before.advance(5, {});
+  extraction.restore(before.save());
   SourceRecord record = slip_record(1, 1, {0, 0});
   record.end = 5.1;
   CHECK(extraction.advance(5.1, {record}).empty());

@@ -103,6 +103,33 @@ TEST_CASE("pauses of one joint up to rest_time belong to one source, longer ones
   for (const SeismicEvent& event : apart) CHECK(event.slip == Approx(1e-3).epsilon(1e-12));
 }
 
+TEST_CASE("a pause of just rest_time is within the source", "[coupler][seismicity]") {
+  ExtractionControls controls = shale_controls();
+  controls.thresholds.rest_time = 0.25;
+  SourceRecord first = slip_record(7, 0, {0, 0}), second = slip_record(7, 0.5, {0, 0});
+  first.end = first.centroid_time = 0.25;
+  second.element_size = 2;
+  const std::vector<SeismicEvent> events = events_of(controls, {first, second});
+  REQUIRE(events.size() == 1);
+  CHECK(events[0].element_size == 1);
+  CHECK(events[0].radius_of_clustering == 3);
+  CHECK(events[0].time_of_clustering == Approx(3 / controls.shear_wave_speed).epsilon(1e-12));
+}
+
+TEST_CASE("a joint that fails twice in one event counts its area once and its slip twice",
+          "[coupler][seismicity]") {
+  ExtractionControls controls = shale_controls();
+  controls.thresholds.rest_time = 1e-3;
+  controls.thresholds.cluster_time = 1;
+  const std::vector<SeismicEvent> events = events_of(controls, bursts(3, 0.25));
+  REQUIRE(events.size() == 1);
+  CHECK(events[0].sources == 1);
+  CHECK(events[0].records == 3);
+  CHECK(events[0].area == thickness);
+  CHECK(events[0].slip == Approx(3e-3).epsilon(1e-12));
+  CHECK(events[0].stress_drop == Approx(3e6).epsilon(1e-12));
+}
+
 TEST_CASE("without a rest_time a joint rests after a shear wave crossed r_c in its scaled mass",
           "[coupler][seismicity]") {
   const ExtractionControls controls = shale_controls();
