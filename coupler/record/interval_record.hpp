@@ -38,6 +38,7 @@ struct SeismicFigures {
   double seismic_moment = 0;    ///< sum of their scalar moments [N m]
   double greatest_moment = 0;   ///< of one event [N m]
   double aseismic_moment = 0;   ///< sum of the scalar moments of aseismic records [N m]
+  double transfer_moment = 0;   ///< scalar, of what insertions changed in carrying the state over [N m]
   PlaneTensor source_moment{};  ///< of all sources, seismic or not: xx, yy, zz, xy [N m]
 };
 

@@ -130,6 +130,10 @@ StructureResponse read_response(const Message& message, const FractureNetwork& n
     for (const nlohmann::json& probe : message.body["probes"])
       response.probes.push_back(probe_values_from_json(probe));
   response.sources = records_of(message.arrays);
+  if (message.body.contains("sources_merged"))
+    response.sources_merged = message.value<std::uint64_t>("sources_merged");
+  if (message.body.contains("transfer_moment"))
+    response.transfer_moment = message.value<PlaneTensor>("transfer_moment");
   if (const auto proposal = message.body.find("insertion"); proposal != message.body.end())
     response.proposal = insertion_from_json(*proposal);
   return response;

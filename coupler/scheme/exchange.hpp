@@ -37,6 +37,8 @@ struct StructureResponse {
   NaturalFractureFigures natural_fractures;    ///< the same
   std::vector<ProbeValues> probes;    ///< in the order of the case; empty from a structure that does not tell
   std::vector<SourceRecord> sources;  ///< in any order; empty from a structure that does not tell
+  std::uint64_t sources_merged = 0;   ///< records that went into others of this interval
+  PlaneTensor transfer_moment{};  ///< that insertions changed so far while they carried the state over [N m]
   std::optional<Insertion> proposal;
 };
 

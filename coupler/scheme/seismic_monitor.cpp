@@ -78,7 +78,13 @@ nlohmann::ordered_json SeismicMonitor::summary() const {
 
 SeismicFigures SeismicMonitor::figures() const {
   const SeismicSums& sums = extraction_.sums();
-  return {sums.event_count, sums.event_moment, sums.greatest_moment, sums.aseismic_sum, sums.raw};
+  SeismicFigures figures;
+  figures.events = sums.event_count;
+  figures.seismic_moment = sums.event_moment;
+  figures.greatest_moment = sums.greatest_moment;
+  figures.aseismic_moment = sums.aseismic_sum;
+  figures.source_moment = sums.raw;
+  return figures;
 }
 
 }  // namespace fissura::coupler

@@ -10,6 +10,7 @@
 #include "common/errors.hpp"
 #include "common/fracture_network/insertion_json.hpp"
 #include "coupler/scheme/fracture_extent.hpp"
+#include "coupler/seismicity/moment_tensor.hpp"
 
 namespace fissura::coupler {
 
@@ -129,6 +130,10 @@ void StaggeredScheme::check_ledger(const NetworkAnswer& answer) const {
 }
 
 void StaggeredScheme::listen(const CouplingInterval& interval, const StructureResponse& response) {
+  if (response.sources_merged > 0)
+    record_.event(EventLevel::warn, "structure", "sources",
+                  fmt::format("{} records of sources went into others: seismicity.maximum_records",
+                              response.sources_merged));
   record_.sources(interval.end, response.sources);
   monitor_.listen(interval.end, response.sources);
 }
@@ -140,6 +145,7 @@ void StaggeredScheme::record_interval(const CouplingInterval& interval, const Ne
   if (response.strain_energy) strain_energy_ = *response.strain_energy;
   figures.strain_energy = strain_energy_;
   figures.seismicity = monitor_.figures();
+  figures.seismicity.transfer_moment = scalar_moment(response.transfer_moment);
   figures.meetings = record_.meeting_totals().met;
   figures.crossings = record_.meeting_totals().crossed;
   record_.interval(figures, response.probes);

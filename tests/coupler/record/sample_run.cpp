@@ -120,7 +120,7 @@ IntervalRecord interval(std::uint64_t number, double time) {
   record.meetings = 9;
   record.crossings = 5;
   record.junction_pressure = 30e6;
-  record.seismicity = {21, 3.5e7, 1.5e7, 8e8, {1e8, -2e8, 4e7, 6e6}};
+  record.seismicity = {21, 3.5e7, 1.5e7, 8e8, 2e5, {1e8, -2e8, 4e7, 6e6}};
   record.elements = 7000;
   record.mass_scale = 250;
   record.stable_step = 1e-5;
