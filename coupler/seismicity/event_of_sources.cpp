@@ -60,7 +60,7 @@ void set_times_and_counts(SeismicEvent& event, const std::vector<Source>& source
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const Source& source = sources[i];
     weight.add(weights[i]);
-    time.add(weights[i] * (source.time - event.origin_time));
+    time.add(weights[i] * (source.centroid_time - event.origin_time));
     x.add(weights[i] * (source.position[0] - event.origin[0]));
     y.add(weights[i] * (source.position[1] - event.origin[1]));
     lines[{source.fracture, source.line}] += weights[i];

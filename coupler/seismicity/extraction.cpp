@@ -23,10 +23,8 @@ PlaneTensor operator+(const PlaneTensor& a, const PlaneTensor& b) {
 // Records after which a call closes what it can, to keep little in memory.
 constexpr std::size_t stretch = 4096;
 
-/// The record with its times not before `time`: clusters that ended before are gone.
+/// The record, ended not before `time`: clusters that ended before are gone.
 SourceRecord since(double time, SourceRecord record) {
-  record.begin = std::max(record.begin, time);
-  record.centroid_time = std::max(record.centroid_time, time);
   record.end = std::max(record.end, time);
   return record;
 }
@@ -65,14 +63,14 @@ class Extraction::State {
         chains_(rules_) {}
 
   std::vector<SeismicEvent> advance(double time, const std::vector<SourceRecord>& records) {
+    time = std::max(called_, time);
     const std::vector<std::uint32_t> order = order_of(records);
-    const std::vector<double> begins = begins_from(order, records);
     std::vector<SeismicEvent> events;
     for (std::size_t i = 0; i < order.size(); ++i) {
       take(records[order[i]]);
-      if ((i + 1) % stretch == 0) close(std::min(time, begins[i + 1]), events);
+      if ((i + 1) % stretch == 0) close(std::clamp(records[order[i]].end, called_, time), events);
     }
-    called_ = std::max(called_, time);
+    called_ = time;
     close(called_, events);
     sums_ = accounts_.sums();
     return events;
@@ -141,22 +139,10 @@ class Extraction::State {
     }
   }
 
-  /// Earliest begin of a seismic record from each place in the order on [s]; infinite at the end.
-  [[nodiscard]] std::vector<double> begins_from(const std::vector<std::uint32_t>& order,
-                                                const std::vector<SourceRecord>& records) const {
-    std::vector<double> begins(order.size() + 1, std::numeric_limits<double>::infinity());
-    for (std::size_t i = order.size(); i-- > 0;) {
-      const SourceRecord& record = records[order[i]];
-      begins[i] = begins[i + 1];
-      if (rules_.seismic(record)) begins[i] = std::min(begins[i], std::max(record.begin, called_));
-    }
-    return begins;
-  }
-
-  /// Closes what no record that begins at `time` or later can become a part of.
+  /// Closes what no record that ends at `time` or later can become a part of.
   void close(double time, std::vector<SeismicEvent>& events) {
     chains_.close_before(time, waiting_);
-    const double watermark = std::min(time, chains_.earliest_begin());
+    const double watermark = std::min(time, chains_.earliest_time());
     for (; !waiting_.empty() && waiting_.first().time < watermark; waiting_.pop()) {
       const Source& source = waiting_.first();
       if (rules_.seismic(source)) {

@@ -36,8 +36,7 @@ struct SeismicSums {
 };
 
 /// Clusters sources in space and time. The events and every bit of their numbers depend neither on the order
-/// of the records within a call, nor on threads, nor on how the records are split over calls, as long as no
-/// failing record begins before the last call's time: calls are made at coupling times, all or some of them.
+/// of the records within a call, nor on how they are split over calls, nor on threads.
 class Extraction {
  public:
   explicit Extraction(const ExtractionControls& controls);
@@ -45,8 +44,8 @@ class Extraction {
   Extraction(Extraction&&) noexcept;
   Extraction& operator=(Extraction&&) noexcept;
 
-  /// Takes all records that end after the last call's time and up to `time` [s], in any order. Where a
-  /// failing one began earlier, it counts as beginning at the last call's time.
+  /// Takes all records that end after the last call's time and up to `time` [s], in any order; they may have
+  /// begun earlier. A failing one that ended earlier counts as ending at the last call's time.
   /// @returns the events that no later record can join, in the order of closing: by the latest time at which
   ///          they could have been joined
   std::vector<SeismicEvent> advance(double time, const std::vector<SourceRecord>& records);

@@ -22,7 +22,7 @@ std::array<double, 2> equivalent_jump(const SourceRecord& record, double area, c
 
 }  // namespace
 
-static_assert(sizeof(Source) == 31 * sizeof(double) + 3 * sizeof(std::uint64_t) + 4 * sizeof(std::uint32_t));
+static_assert(sizeof(Source) == 32 * sizeof(double) + 3 * sizeof(std::uint64_t) + 4 * sizeof(std::uint32_t));
 
 Entity entity_of(const SourceRecord& record) {
   const bool bulk = in_bulk(record.kind);
@@ -60,6 +60,10 @@ double SourceRules::rest_time(double element_size, double mass_scale) const {
   return thresholds.rest_time > 0 ? thresholds.rest_time : cluster_time(element_size, mass_scale);
 }
 
+double SourceRules::telling_time(double element_size, double mass_scale) const {
+  return 100 * 1.5 * element_size * std::sqrt(mass_scale) / shear_wave_speed;
+}
+
 OpenSource::OpenSource(const SourceRecord& first, const SourceRules& rules) {
   const Entity entity = entity_of(first);
   source_.number = entity.number;
@@ -71,7 +75,7 @@ OpenSource::OpenSource(const SourceRecord& first, const SourceRules& rules) {
   source_.line = first.line;
   source_.position = first.position;
   source_.begin = first.begin;
-  source_.end = first.end;
+  source_.end = first_end_ = first.end;
   source_.shear_before = first.shear_before;
   source_.smallest_size = source_.greatest_size = first.element_size;
   add(first, rules);
@@ -82,7 +86,8 @@ void OpenSource::add(const SourceRecord& record, const SourceRules& rules) {
   moment_.add(record.moment);
   pseudo_moment_.add(record.pseudo_moment);
   scalar_sum_.add(weight);
-  weighted_time_.add(weight * (record.centroid_time - source_.begin));
+  weighted_end_.add(weight * (record.end - first_end_));
+  weighted_centroid_.add(weight * (record.centroid_time - first_end_));
 
   const auto [nx, ny] = record.normal;
   source_.plane[0] += weight * nx * nx;
@@ -102,6 +107,7 @@ void OpenSource::add(const SourceRecord& record, const SourceRules& rules) {
   source_.area = std::max(source_.area, area);
   source_.length = std::max(source_.length, length);
 
+  source_.begin = std::min(source_.begin, record.begin);
   source_.end = std::max(source_.end, record.end);
   source_.shear_after = record.shear_after;
   source_.pressure_sum += record.fluid_pressure;
@@ -112,6 +118,7 @@ void OpenSource::add(const SourceRecord& record, const SourceRules& rules) {
   source_.interval = std::max(source_.interval, record.interval);
   ++source_.records;
   goes_on_until_ = source_.end + rules.rest_time(source_.greatest_size, source_.mass_scale);
+  listens_until_ = goes_on_until_ + rules.telling_time(source_.greatest_size, source_.mass_scale);
 }
 
 Source OpenSource::closed(const SourceRules& rules) const {
@@ -119,9 +126,12 @@ Source OpenSource::closed(const SourceRules& rules) const {
   source.moment = moment_.value();
   source.pseudo_moment = pseudo_moment_.value();
   source.scalar_sum = scalar_sum_.value();
-  const double from_begin =
-      source.scalar_sum > 0 ? weighted_time_.value() / source.scalar_sum : 0.5 * (source.end - source.begin);
-  source.time = std::clamp(source.begin + from_begin, source.begin, source.end);
+  const double weight = source.scalar_sum;
+  const double middle = 0.5 * (source.end - first_end_);
+  const double end = weight > 0 ? weighted_end_.value() / weight : middle;
+  const double centroid = weight > 0 ? weighted_centroid_.value() / weight : middle;
+  source.time = std::clamp(first_end_ + end, first_end_, source.end);
+  source.centroid_time = std::clamp(first_end_ + centroid, source.begin, source.end);
   source.cluster_radius = rules.cluster_radius(source.greatest_size);
   source.cluster_time = rules.cluster_time(source.greatest_size, source.mass_scale);
   source.reach = source.time + source.cluster_time;

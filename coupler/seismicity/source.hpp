@@ -32,7 +32,8 @@ struct Source {
   PlaneTensor moment{};              ///< sum over its records [N m]
   PlaneTensor pseudo_moment{};       ///< [N m]
   double scalar_sum = 0;             ///< of the scalar moments of its records [N m]
-  double time = 0;                   ///< weighted by those; of the middle if they are 0 [s]
+  double time = 0;                   ///< of the ends of its records, weighted by those [s]
+  double centroid_time = 0;          ///< of the centroid times of its records, likewise [s]
   double reach = 0;                  ///< time + t_c: latest time of a later source that it joins [s]
   std::array<double, 2> position{};  ///< of the first record [m]
   double begin = 0, end = 0;         ///< [s]
@@ -87,6 +88,11 @@ struct SourceRules {
 
   /// rest_time, or t_c  [s]
   [[nodiscard]] double rest_time(double element_size, double mass_scale) const;
+
+  /// Longest time beyond the rest after which a record still counts that began before: slow motion is told of
+  /// when it has come to something. A hundred passages of a shear wave over 1.5 element sizes, some twenty
+  /// coupling intervals  [s]
+  [[nodiscard]] double telling_time(double element_size, double mass_scale) const;
 };
 
 /// A source that may still go on.
@@ -98,9 +104,14 @@ class OpenSource {
   /// @pre `record` comes after all others of this entity and class
   void add(const SourceRecord& record, const SourceRules& rules);
 
-  /// Whether a record that begins then is its continuation.
-  [[nodiscard]] bool continues(double begin) const { return begin <= goes_on_until_; }
-  [[nodiscard]] double begin() const { return source_.begin; }
+  /// Whether the record is its continuation.
+  [[nodiscard]] bool goes_on_in(const SourceRecord& record) const {
+    return record.begin <= goes_on_until_ && listens_at(record.end);
+  }
+  /// Whether a record that ends then can be.
+  [[nodiscard]] bool listens_at(double end) const { return end <= listens_until_; }
+  /// Its time will not be earlier [s].
+  [[nodiscard]] double first_end() const { return first_end_; }
   [[nodiscard]] Entity entity() const { return source_.entity(); }
   [[nodiscard]] SourceClass source_class() const { return source_.source_class; }
   [[nodiscard]] PlaneTensor moment() const { return moment_.value(); }
@@ -111,8 +122,10 @@ class OpenSource {
  private:
   Source source_;
   TensorSum moment_, pseudo_moment_;
-  CompensatedSum scalar_sum_, weighted_time_;  // times from the begin of the source
-  double goes_on_until_ = 0;                   // end + rest time
+  CompensatedSum scalar_sum_, weighted_end_, weighted_centroid_;  // times from the first end
+  double first_end_ = 0;
+  double goes_on_until_ = 0;  // end + rest time
+  double listens_until_ = 0;  // that + telling time
 };
 
 }  // namespace fissura::coupler

@@ -71,7 +71,7 @@ std::size_t SourceChains::KeyHash::operator()(const Key& key) const {
 void SourceChains::add(const SourceRecord& record, WaitingSources& closed) {
   const auto [place, is_new] = open_.try_emplace({entity_of(record), class_of(record.kind)}, record, rules_);
   if (is_new) return;
-  if (place->second.continues(record.begin)) {
+  if (place->second.goes_on_in(record)) {
     place->second.add(record, rules_);
   } else {
     closed.push(place->second.closed(rules_));
@@ -81,7 +81,7 @@ void SourceChains::add(const SourceRecord& record, WaitingSources& closed) {
 
 void SourceChains::close_before(double time, WaitingSources& closed) {
   for (auto source = open_.begin(); source != open_.end();) {
-    if (source->second.continues(time)) {
+    if (source->second.listens_at(time)) {
       ++source;
     } else {
       closed.push(source->second.closed(rules_));
@@ -90,9 +90,9 @@ void SourceChains::close_before(double time, WaitingSources& closed) {
   }
 }
 
-double SourceChains::earliest_begin() const {
+double SourceChains::earliest_time() const {
   double earliest = std::numeric_limits<double>::infinity();
-  for (const auto& [key, source] : open_) earliest = std::min(earliest, source.begin());
+  for (const auto& [key, source] : open_) earliest = std::min(earliest, source.first_end());
   return earliest;
 }
 

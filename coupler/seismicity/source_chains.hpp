@@ -35,11 +35,11 @@ class SourceChains {
   /// @pre records come in their order
   void add(const SourceRecord& record, WaitingSources& closed);
 
-  /// Closes those which no record that begins at `time` [s] or later continues.
+  /// Closes those which no record that ends at `time` [s] or later continues.
   void close_before(double time, WaitingSources& closed);
 
-  /// Of the open sources [s]; infinite if there is none.
-  [[nodiscard]] double earliest_begin() const;
+  /// No open source will have an earlier time than this [s]; infinite if there is none.
+  [[nodiscard]] double earliest_time() const;
 
   void add_to(TensorSum& moment) const;
 

@@ -52,6 +52,7 @@ std::vector<SourceRecord> random_records(std::uint64_t seed, int intervals) {
       }
       record.begin = random_interval * (k + 0.4 * uniform());
       record.end = record.begin + 0.5 * random_interval * uniform();
+      if (uniform() < 0.1) record.begin = std::max(0.0, record.begin - 20 * random_interval * uniform());
       record.centroid_time = 0.5 * (record.begin + record.end);
       record.interval = static_cast<std::uint64_t>(k) + 1;
       record.element_size = 0.4 + 0.05 * static_cast<double>(entity % 13);

@@ -222,8 +222,8 @@ TEST_CASE("a cluster closes when no source can join it any more", "[coupler][sei
   Extraction extraction(controls);
   CHECK(extraction.advance(0.01, {slip_record(1, 0, {0, 0})}).empty());
   CHECK(extraction.advance(1, {}).empty());
-  CHECK(extraction.advance(1.0005, {}).empty());
-  CHECK(extraction.advance(1.0006, {}).size() == 1);
+  CHECK(extraction.advance(1.001, {}).empty());
+  CHECK(extraction.advance(1.0011, {}).size() == 1);
 }
 
 TEST_CASE("a source that lasts keeps open what it may still join", "[coupler][seismicity]") {

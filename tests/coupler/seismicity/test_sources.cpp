@@ -116,6 +116,18 @@ TEST_CASE("a pause of just rest_time is within the source", "[coupler][seismicit
   CHECK(events[0].time_of_clustering == Approx(3 / controls.shear_wave_speed).epsilon(1e-12));
 }
 
+TEST_CASE("slow motion that is told of later goes on with its source, for a while", "[coupler][seismicity]") {
+  ExtractionControls controls = shale_controls();
+  controls.thresholds.rest_time = 0.01;
+  controls.thresholds.cluster_time = 1e-3;
+  const double limit = 1e-3 + 0.01 + 150 / controls.shear_wave_speed;
+  SourceRecord late = slip_record(7, 1.2e-3, {0, 0});
+  for (const double share : {1 - 1e-9, 1 + 1e-9}) {
+    late.end = late.centroid_time = share * limit;
+    CHECK(events_of(controls, {slip_record(7, 0, {0, 0}), late}).size() == (share < 1 ? 1 : 2));
+  }
+}
+
 TEST_CASE("a joint that fails twice in one event counts its area once and its slip twice",
           "[coupler][seismicity]") {
   ExtractionControls controls = shale_controls();
