@@ -92,20 +92,23 @@ std::vector<ElementSources::Failed> ElementSources::failed_elements(const Observ
 PlaneTensor ElementSources::begin_interval(const ObservedRock& rock, double time) {
   begin_ = time;
   growth_.resize(rock.damage.size());
+  seen_.resize(rock.damage.size());
   for (std::size_t tile = 0; tile < growth_.size(); ++tile) {
     const TileDamage& damage = rock.damage[tile];
     growth_[tile].resize(damage.record.size());
+    seen_[tile].resize(damage.record.size());
     for (std::size_t k = 0; k < damage.record.size(); ++k) {
       const double cracked = cracking(damage.record[k]), sheared = plastic_size(damage.plastic[k]);
-      growth_[tile][k] = {cracked + sheared, cracked, sheared, plastic_volume(damage.plastic[k]),
-                          damage.record[k].damage};
+      growth_[tile][k] = {cracked, sheared, plastic_volume(damage.plastic[k]), damage.record[k].damage};
+      seen_[tile][k] = cracked + sheared;
     }
   }
   PlaneTensor came{};
   if (!anew_) return came;
   anew_ = false;
+  failed_ = failed_elements(rock);
   const std::size_t before = known_.size();
-  for (const Failed& failed : failed_elements(rock)) {
+  for (const Failed& failed : failed_) {
     const auto end = known_.begin() + static_cast<std::ptrdiff_t>(before);
     const auto found = std::lower_bound(known_.begin(), end, failed.element,
                                         [](const Known& a, ElementIndex b) { return a.element < b; });
@@ -131,18 +134,22 @@ void ElementSources::note_onsets(const ObservedRock& rock, std::uint32_t tile) {
     onsets_.push_back({elements[place], {}, {}, begin_, stress, stress});
   }
   growth_[tile].resize(damage.record.size());
+  seen_[tile].resize(damage.record.size(), 0);
 }
 
 void ElementSources::watch(const ObservedRock& rock, double place, double step) {
+  const bool flows = rock.run_case.bulk_failure.cohesion > 0;
   for (std::uint32_t tile = 0; tile < rock.damage.size(); ++tile) {
     const TileDamage& damage = rock.damage[tile];
-    if (damage.record.size() > growth_[tile].size()) note_onsets(rock, tile);
+    if (damage.record.size() > seen_[tile].size()) note_onsets(rock, tile);
+    double* seen = seen_[tile].data();
     for (std::size_t k = 0; k < damage.record.size(); ++k) {
-      const double measure = cracking(damage.record[k]) + plastic_size(damage.plastic[k]);
+      double measure = cracking(damage.record[k]);
+      if (flows) measure += plastic_size(damage.plastic[k]);
+      if (measure <= seen[k]) continue;
+      const double grown = measure - seen[k];
+      seen[k] = measure;
       Growth& growth = growth_[tile][k];
-      if (measure <= growth.measure) continue;
-      const double grown = measure - growth.measure;
-      growth.measure = measure;
       if (growth.size == 0) growth.first = place;
       growth.last = place;
       growth.size += grown;
@@ -159,10 +166,11 @@ void ElementSources::end_interval(const ObservedRock& rock, const ObservedInterv
     known_.insert(known_.end(), onsets_.begin(), onsets_.end());
     std::sort(known_.begin(), known_.end(), earlier);
     onsets_.clear();
+    failed_ = failed_elements(rock);
   }
   if (known_.empty()) return;
   auto next = known_.begin();
-  for (const Failed& failed : failed_elements(rock)) {
+  for (const Failed& failed : failed_) {
     while (next != known_.end() && next->element < failed.element) ++next;
     if (next == known_.end()) break;
     Known& known = *next;
@@ -228,7 +236,7 @@ void ElementSources::tell(const ObservedRock& rock, const ObservedInterval& inte
 void ElementSources::tell_all(const ObservedRock& rock, const ObservedInterval& interval,
                               std::vector<SourceRecord>& records) {
   if (known_.empty()) return;
-  for (const Failed& failed : failed_elements(rock))
+  for (const Failed& failed : failed_)
     if (Known* known = find(failed.element))
       tell(rock, interval, *known, rock.damage[failed.tile].record[failed.record], records);
 }

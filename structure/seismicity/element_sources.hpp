@@ -62,7 +62,6 @@ class ElementSources {
 
   /// Of one record of a tile, in the present interval.
   struct Growth {
-    double measure = 0;                ///< e as last seen [-]
     double cracking = 0, plastic = 0;  ///< its parts at the begin of the interval [-]
     double volume = 0;                 ///< plastic, likewise [-]
     double damage = 0;                 ///< likewise [-]
@@ -84,8 +83,10 @@ class ElementSources {
             const DamageHistory& history, std::vector<SourceRecord>& records) const;
 
   std::vector<Known> known_;                 ///< ascending in the element
+  std::vector<Failed> failed_;               ///< elements with a record, ascending
   std::vector<Known> onsets_;                ///< of the present interval
   std::vector<std::vector<Growth>> growth_;  ///< per tile, of each of its records
+  std::vector<std::vector<double>> seen_;    ///< likewise, e as last seen: all that most steps need
   double begin_ = 0;                         ///< of the present interval [s]
   bool anew_ = true;                         ///< the mesh is another one than in the last interval
 };
