@@ -110,6 +110,7 @@ class OpenSource {
   }
   /// Whether a record that ends then can be.
   [[nodiscard]] bool listens_at(double end) const { return end <= listens_until_; }
+  [[nodiscard]] double listens_until() const { return listens_until_; }
   /// Its time will not be earlier [s].
   [[nodiscard]] double first_end() const { return first_end_; }
   [[nodiscard]] Entity entity() const { return source_.entity(); }

@@ -68,32 +68,49 @@ std::size_t SourceChains::KeyHash::operator()(const Key& key) const {
   return std::hash<std::uint64_t>()(code ^ (key.entity.geometry << 40));
 }
 
+void SourceChains::open(const Key& key, const OpenSource& source) {
+  beginnings_.push_back({source.listens_until(), source.first_end(), key});
+  listening_.push(beginnings_.back());
+}
+
+bool SourceChains::is_open(const Note& note) const {
+  const auto place = open_.find(note.key);
+  return place != open_.end() && place->second.first_end() == note.first_end;
+}
+
+void SourceChains::drop_closed_beginnings() {
+  while (!beginnings_.empty() && !is_open(beginnings_.front())) beginnings_.pop_front();
+}
+
 void SourceChains::add(const SourceRecord& record, WaitingSources& closed) {
-  const auto [place, is_new] = open_.try_emplace({entity_of(record), class_of(record.kind)}, record, rules_);
-  if (is_new) return;
-  if (place->second.goes_on_in(record)) {
-    place->second.add(record, rules_);
-  } else {
-    closed.push(place->second.closed(rules_));
-    place->second = OpenSource(record, rules_);
-  }
+  const Key key{entity_of(record), class_of(record.kind)};
+  const auto [place, is_new] = open_.try_emplace(key, record, rules_);
+  if (is_new) return open(key, place->second);
+  if (place->second.goes_on_in(record)) return place->second.add(record, rules_);
+  closed.push(place->second.closed(rules_));
+  place->second = OpenSource(record, rules_);
+  open(key, place->second);
+  drop_closed_beginnings();
 }
 
 void SourceChains::close_before(double time, WaitingSources& closed) {
-  for (auto source = open_.begin(); source != open_.end();) {
-    if (source->second.listens_at(time)) {
-      ++source;
+  while (!listening_.empty() && listening_.top().until < time) {
+    const Note note = listening_.top();
+    listening_.pop();
+    if (!is_open(note)) continue;
+    const auto place = open_.find(note.key);
+    if (place->second.listens_at(time)) {
+      listening_.push({place->second.listens_until(), note.first_end, note.key});
     } else {
-      closed.push(source->second.closed(rules_));
-      source = open_.erase(source);
+      closed.push(place->second.closed(rules_));
+      open_.erase(place);
     }
   }
+  drop_closed_beginnings();
 }
 
 double SourceChains::earliest_time() const {
-  double earliest = std::numeric_limits<double>::infinity();
-  for (const auto& [key, source] : open_) earliest = std::min(earliest, source.first_end());
-  return earliest;
+  return beginnings_.empty() ? std::numeric_limits<double>::infinity() : beginnings_.front().first_end;
 }
 
 void SourceChains::add_to(TensorSum& moment) const {
@@ -110,9 +127,13 @@ std::vector<OpenSource> SourceChains::open_sources() const {
   return sources;
 }
 
-void SourceChains::put_back(const std::vector<OpenSource>& sources) {
-  for (const OpenSource& source : sources)
-    open_.try_emplace({source.entity(), source.source_class()}, source);
+void SourceChains::put_back(std::vector<OpenSource> sources) {
+  std::stable_sort(sources.begin(), sources.end(),
+                   [](const OpenSource& a, const OpenSource& b) { return a.first_end() < b.first_end(); });
+  for (const OpenSource& source : sources) {
+    const Key key{source.entity(), source.source_class()};
+    if (open_.try_emplace(key, source).second) open(key, source);
+  }
 }
 
 }  // namespace fissura::coupler

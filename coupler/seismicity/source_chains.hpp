@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <deque>
+#include <functional>
+#include <queue>
 #include <unordered_map>
 #include <vector>
 
@@ -45,7 +48,7 @@ class SourceChains {
 
   /// In the order of entities and classes.
   [[nodiscard]] std::vector<OpenSource> open_sources() const;
-  void put_back(const std::vector<OpenSource>& sources);
+  void put_back(std::vector<OpenSource> sources);
 
  private:
   struct Key {
@@ -57,8 +60,22 @@ class SourceChains {
     std::size_t operator()(const Key& key) const;
   };
 
+  /// A source that may have gone on or closed since it was noted down.
+  struct Note {
+    double until = 0;      // when it listened until, then [s]
+    double first_end = 0;  // which source of the key it is [s]
+    Key key;
+    friend auto operator<=>(const Note&, const Note&) = default;
+  };
+
+  void open(const Key& key, const OpenSource& source);
+  [[nodiscard]] bool is_open(const Note& note) const;
+  void drop_closed_beginnings();
+
   SourceRules rules_;
   std::unordered_map<Key, OpenSource, KeyHash> open_;
+  std::deque<Note> beginnings_;                                             // by first end; the front is open
+  std::priority_queue<Note, std::vector<Note>, std::greater<>> listening_;  // by until; one an open source
 };
 
 }  // namespace fissura::coupler
