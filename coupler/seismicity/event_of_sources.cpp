@@ -22,11 +22,12 @@ std::vector<double> weights_of(const std::vector<Source>& sources, double scalar
   return weights;
 }
 
-/// Unit normal along the major axis of the sum of n n^T; of either sign, it points to +x, or else to -y.
+/// Unit normal along the major axis of the sum of n n^T; of the two the one to the side of (1, -1), as the
+/// strike of a vertical plane has it.
 std::array<double, 2> mean_normal(const std::array<double, 3>& plane) {
   const double angle = 0.5 * std::atan2(plane[2], 0.5 * (plane[0] - plane[1]));
   const double x = std::cos(angle), y = std::sin(angle);
-  const bool turned = std::abs(x) < rounding ? y > 0 : x < 0;
+  const bool turned = std::abs(x - y) < rounding ? x > 0 : x < y;
   return turned ? std::array{-x, -y} : std::array{x, y};
 }
 

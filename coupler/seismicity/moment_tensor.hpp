@@ -68,7 +68,8 @@ struct Geography {
 /// Strike clockwise from north with the dip to the right, dip from horizontal, rake of the hanging wall's
 /// slip, counter-clockwise from strike (Aki & Richards 2002): 0 left-lateral, +90 thrust [rad].
 /// 0 <= strike < 2 pi, 0 <= dip <= pi/2, -pi < rake <= pi. Of the two strikes of a vertical plane it is the
-/// one within a right angle of north, east before west; a horizontal plane strikes north.
+/// one from 315 over 0 to 135 degrees, so that rounding turns no plane along an axis; a horizontal plane
+/// strikes north.
 struct NodalPlane {
   double strike = 0, dip = 0, rake = 0;
 };

@@ -35,10 +35,11 @@ Vector geographic(const Vector& unit, const Geography& geography) {
           snapped(dot(unit, geography.up))};
 }
 
+/// Whether the strike is to be told from this side.
 bool upward(const Vector& a) {
   if (a[2] != 0) return a[2] > 0;
-  if (a[0] != 0) return a[0] > 0;
-  return a[1] < 0;
+  const double to_south_east = snapped(a[0] - a[1]);
+  return to_south_east != 0 ? to_south_east > 0 : a[0] < 0;
 }
 
 double positive_angle(double angle) {

@@ -66,8 +66,8 @@ TEST_CASE("slip along vertical planes: strike, both senses, true plane first", "
       const SourceRecord record = slip_along(strike * degree, sense);
       const SeismicEvent event = events_of(shale_controls(), {record}).at(0);
       check_plane(event.plane, strike, 90, sense > 0 ? 0 : 180);
-      // Of the two strikes across it the one within a right angle of north.
-      const double across = strike == 0 ? 90 : strike == 30 ? 300 : strike == 330 ? 60 : 0;
+      // Of the two strikes across it the one from 315 to 135 degrees.
+      const double across = strike == 0 ? 90 : strike == 30 ? 120 : strike == 330 ? 60 : 0;
       check_plane(event.auxiliary_plane, across, 90, sense > 0 ? 180 : 0);
       // The sign of the normal is a matter of naming.
       SourceRecord renamed = record;
@@ -100,6 +100,19 @@ TEST_CASE("planes of a tensor rebuild it", "[coupler][seismicity]") {
       CHECK(moment[1] == Approx(nn).margin(1e-9));
       CHECK(moment[3] == Approx(ne).margin(1e-9));
     }
+  }
+}
+
+TEST_CASE("rounding turns no strike along an axis", "[coupler][seismicity]") {
+  for (const double strike : {0.0, 90.0})
+    for (const double turn : {-0.01, 0.01}) {
+      const SeismicEvent event = events_of(shale_controls(), {slip_along((strike + turn) * degree, 1)}).at(0);
+      CHECK(std::remainder(event.plane.strike / degree - strike, 360) == Approx(turn).margin(1e-9));
+    }
+  const double half = std::sqrt(0.5);
+  for (const double sign : {1.0, -1.0}) {
+    check_plane(nodal_plane({sign * half, sign * half, 0}, {sign * half, -sign * half, 0}, {}), 135, 90, 180);
+    check_plane(nodal_plane({sign * half, sign * (half + 1e-12), 0}, {0, 0, sign}, {}), 135, 90, -90);
   }
 }
 
