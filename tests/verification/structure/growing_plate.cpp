@@ -63,6 +63,8 @@ void GrowingPlate::advance() {
   scale_masses(model_, geometry_, time_, end, state_);
   time_ = end;
   tips_.tend(geometry_, state_);
+  state_.sources.tell_quiet(observed_rock(model_, geometry_, state_), state_.joints);
+  for (const SourceRecord& record : state_.sources.take(0)) told_ = told_ + record.moment;
   const auto plan = plan_growth(model_, geometry_, state_, time_);
   if (!plan) return;
   tips_.dry(geometry_);

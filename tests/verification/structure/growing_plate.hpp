@@ -34,6 +34,10 @@ class GrowingPlate {
   /// Greatest distance of its vertices from y = 0 [m].
   [[nodiscard]] double deviation() const;
 
+  /// Moment of all seismic sources, what moved without failing included, and what insertions brought [N m].
+  [[nodiscard]] const PlaneTensor& told() const { return told_; }
+  [[nodiscard]] const PlaneTensor& transferred() const { return state_.sources.transferred(); }
+
   /// Saves the state and restores it into this plate, as a new process would.
   void restart();
 
@@ -47,6 +51,7 @@ class GrowingPlate {
   std::unique_ptr<StructureRun> run_;
   std::vector<Insertion> insertions_;
   std::vector<RemeshRecord> records_;
+  PlaneTensor told_{};
   double time_ = 0;
 };
 
