@@ -303,7 +303,7 @@ struct Seismicity {
   double failure_rate = 0;    ///< rock and cohesion that open slower are aseismic [m/s]; 0: none of it is
   double cluster_radius = 0;  ///< r_c [m]; 0 = 1.5 element sizes
   double cluster_time = 0;    ///< t_c [s]; 0 = r_c over the speed of shear waves in the scaled mass
-  double rest_time = 0;       ///< longest pause within one source [s]; 0 = t_c
+  double rest_time = 0;       ///< longest pause within one source [s]; 0 = 100 t_c
   SourceThickness thickness = SourceThickness::layer;
   int maximum_records = 100000;  ///< of one interval; more are merged, none is dropped
   double voxel_size = 10;        ///< edge of the cells in which the stimulated volume is counted [m]

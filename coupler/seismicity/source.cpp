@@ -11,6 +11,9 @@ namespace fissura::coupler {
 
 namespace {
 
+// Of a shear wave. Fewer part the softening of a joint, which the scaled mass lets swing, into bursts.
+constexpr double passages_of_rest = 100;
+
 /// Opening and slip of a crack that has the moment: n.M.n = (lambda + 2 mu) A opening, t.M.n = mu A slip.
 std::array<double, 2> equivalent_jump(const SourceRecord& record, double area, const SourceRules& rules) {
   const auto [nx, ny] = record.normal;
@@ -57,11 +60,12 @@ double SourceRules::cluster_time(double element_size, double mass_scale) const {
 }
 
 double SourceRules::rest_time(double element_size, double mass_scale) const {
-  return thresholds.rest_time > 0 ? thresholds.rest_time : cluster_time(element_size, mass_scale);
+  return thresholds.rest_time > 0 ? thresholds.rest_time
+                                  : passages_of_rest * cluster_time(element_size, mass_scale);
 }
 
 double SourceRules::telling_time(double element_size, double mass_scale) const {
-  return 100 * 1.5 * element_size * std::sqrt(mass_scale) / shear_wave_speed;
+  return passages_of_rest * 1.5 * element_size * std::sqrt(mass_scale) / shear_wave_speed;
 }
 
 OpenSource::OpenSource(const SourceRecord& first, const SourceRules& rules) {

@@ -86,7 +86,7 @@ struct SourceRules {
   /// t_c: cluster_time, or the time of a shear wave over r_c in the scaled mass  [s]
   [[nodiscard]] double cluster_time(double element_size, double mass_scale) const;
 
-  /// rest_time, or t_c  [s]
+  /// rest_time, or a hundred t_c  [s]
   [[nodiscard]] double rest_time(double element_size, double mass_scale) const;
 
   /// Longest time beyond the rest after which a record still counts that began before: slow motion is told of
