@@ -211,4 +211,9 @@ void Extraction::restore(const std::vector<std::byte>& bytes) {
   state_->restore(bytes);
 }
 
+std::optional<double> seismic_fraction(const SeismicSums& sums) {
+  const double all = sums.seismic_sum + sums.aseismic_sum;
+  return all > 0 ? std::optional(sums.seismic_sum / all) : std::nullopt;
+}
+
 }  // namespace fissura::coupler

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "common/case/case.hpp"
@@ -34,6 +35,9 @@ struct SeismicSums {
   double greatest_moment = 0;  ///< of a closed event [N m]
   std::uint64_t records = 0, event_count = 0;
 };
+
+/// Share of the scalar moments of all records that lies in events; none without any moment [-].
+std::optional<double> seismic_fraction(const SeismicSums& sums);
 
 /// Clusters sources in space and time. The events and every bit of their numbers depend neither on the order
 /// of the records within a call, nor on how they are split over calls, nor on threads.

@@ -101,7 +101,7 @@ AxisDirection axis_direction(const Vector& axis, const Geography& geography) {
   if (a[2] > 0 || (a[2] == 0 && (a[0] < 0 || (a[0] == 0 && a[1] < 0)))) a = scaled(-1, a);
   const double horizontal = std::hypot(a[0], a[1]);
   AxisDirection direction;
-  direction.plunge = std::atan2(-a[2], horizontal);
+  direction.plunge = a[2] == 0 ? 0 : std::atan2(-a[2], horizontal);
   if (horizontal > 0) direction.azimuth = positive_angle(std::atan2(a[0], a[1]));
   return direction;
 }

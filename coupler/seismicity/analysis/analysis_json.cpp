@@ -39,13 +39,6 @@ json at_the_end(const MomentBudget& budget) {
   return last;
 }
 
-/// Share of the scalar moments of all decided sources that is seismic.
-std::optional<double> seismic_share(const SeismicSums& sums) {
-  const double all = sums.seismic_sum + sums.aseismic_sum;
-  if (!(all > 0)) return {};
-  return sums.seismic_sum / all;
-}
-
 json types_json(const std::vector<SeismicEvent>& events) {
   json types = json::object();
   for (const EventType type : {EventType::shear, EventType::tensile, EventType::closing, EventType::mixed})
@@ -76,14 +69,14 @@ json totals_json(const std::vector<SeismicEvent>& events, const SeismicSums& sum
           {"event_moment", sums.event_moment},
           {"seismic_sum", sums.seismic_sum},
           {"aseismic_sum", sums.aseismic_sum},
-          {"seismic_fraction", or_null(seismic_share(sums))},
+          {"seismic_fraction", or_null(seismic_fraction(sums))},
           {"raw", sums.raw},
           {"aseismic", sums.aseismic}};
 }
 
 std::string caption(const Case& run_case, const SeismicSums& sums) {
   const Seismicity& rules = run_case.seismicity;
-  const std::optional<double> fraction = seismic_share(sums);
+  const std::optional<double> fraction = seismic_fraction(sums);
   const std::string share =
       fraction ? fmt::format("Seismic fraction {:.3g} of the scalar moments of all sources", *fraction)
                : std::string("No source");

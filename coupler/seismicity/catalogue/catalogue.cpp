@@ -138,11 +138,6 @@ ordered_json catalogue_summary(const SeismicSums& sums, const CatalogueContext& 
   return summary;
 }
 
-std::optional<double> seismic_fraction(const SeismicSums& sums) {
-  const double all = sums.seismic_sum + sums.aseismic_sum;
-  return all > 0 ? std::optional(sums.seismic_sum / all) : std::nullopt;
-}
-
 double conservation_error(const SeismicSums& sums) {
   double greatest = 0, error = 0;
   for (std::size_t i = 0; i < sums.raw.size(); ++i) {

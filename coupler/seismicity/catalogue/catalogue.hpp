@@ -43,9 +43,6 @@ void write_catalogue(const std::filesystem::path& directory, const std::vector<S
 nlohmann::ordered_json catalogue_summary(const SeismicSums& sums, const CatalogueContext& context,
                                          const nlohmann::ordered_json& analysis);
 
-/// Share of the scalar moments of all records that lies in events; none without any moment [-].
-std::optional<double> seismic_fraction(const SeismicSums& sums);
-
 /// Greatest component of raw - aseismic - events over the greatest of raw, 0 of nothing [-]. Of a finished
 /// extraction, where nothing is open.
 double conservation_error(const SeismicSums& sums);
