@@ -87,7 +87,7 @@ class Report(unittest.TestCase):
             self.assertGreater(canvas["coloured"], 100, name + " is blank")
         for figure in seen["figures"]:
             self.assertTrue(figure["canvas"], figure["id"] + " shows nothing")
-            self.assertRegex(figure["caption"], r"From (history|ledger|remeshing|segments)", figure["id"])
+            self.assertRegex(figure["caption"], r"From (history|ledger|remeshing|segments|seismicity)", figure["id"])
         return data_of(page)
 
     ALWAYS = ("map", "half_length", "inlet_aperture", "inlet_net_pressure", "pumping", "ledger", "residual", "mismatch", "energies",

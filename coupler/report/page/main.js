@@ -215,6 +215,7 @@ verdict(result);
 keyFigures(result);
 if (data.map.segments.length > 0) fractureMap(section("Fracture map", ""), data);
 if (hasNaturalFractures) naturalFractures(data, ofHistory);
+if (data.seismicity) seismicSection(data);
 growth();
 if (!isDry) fluid();
 if (!isDry) coupling();

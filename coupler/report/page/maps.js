@@ -74,7 +74,8 @@ function radioButtons(group, names, label, selected, changed) {
 
 function boxAround(x, y, domain) {
   if (x.length === 0) return [-domain.width / 2, domain.width / 2, -domain.height / 2, domain.height / 2];
-  const box = [Math.min(...x), Math.max(...x), Math.min(...y), Math.max(...y)];
+  const least = (values) => values.reduce((a, b) => Math.min(a, b)), most = (values) => values.reduce((a, b) => Math.max(a, b));
+  const box = [least(x), most(x), least(y), most(y)];
   const margin = 0.12 * Math.max(box[1] - box[0], box[3] - box[2]);
   return [box[0] - margin, box[1] + margin, box[2] - margin, box[3] + margin];
 }

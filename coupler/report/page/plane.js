@@ -21,8 +21,8 @@ function equalise(made, box) {
   };
 }
 
-// plane(plot, box, inSitu, draw, label, bar): draw(context, place) with place(x, y) -> [pixel, pixel]; beside it the in-situ stresses
-// and, if bar() gives one, a colour bar. Returns { show(box), redraw() }.
+// plane(plot, box, inSitu, draw, label, bar): draw(context, place, area) with place(x, y) -> [pixel, pixel]; beside it the in-situ stresses
+// and, if bar() gives one, a colour bar; with inSitu null neither, and the picture takes their place. Returns { show(box), redraw() }.
 function plane(plot, box, inSitu, draw, label, bar) {
   const canvas = element("canvas", { role: "img", "aria-label": label });
   plot.append(canvas);
@@ -44,7 +44,7 @@ function plane(plot, box, inSitu, draw, label, bar) {
     options: {
       responsive: true,
       maintainAspectRatio: false,
-      layout: { padding: { right: 150, top: 6 } },
+      layout: { padding: { right: inSitu ? 150 : 8, top: 6 } },
       events: [],
       scales: { x: scale("x, east [m]"), y: scale("y, north [m]") },
       plugins: { legend: { display: false }, tooltip: { enabled: false } },
@@ -55,12 +55,12 @@ function plane(plot, box, inSitu, draw, label, bar) {
       afterDatasetsDraw: (drawn) => {
         const { ctx, chartArea, scales } = drawn;
         ctx.save();
-        inSituAxes(ctx, chartArea, inSitu);
+        if (inSitu) inSituAxes(ctx, chartArea, inSitu);
         if (bar && bar()) colourBar(ctx, chartArea, bar());
         ctx.beginPath();
         ctx.rect(chartArea.left, chartArea.top, chartArea.width, chartArea.height);
         ctx.clip();
-        draw(ctx, (x, y) => [scales.x.getPixelForValue(x), scales.y.getPixelForValue(y)]);
+        draw(ctx, (x, y) => [scales.x.getPixelForValue(x), scales.y.getPixelForValue(y)], chartArea);
         ctx.restore();
       },
     }],
