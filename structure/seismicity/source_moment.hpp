@@ -10,7 +10,7 @@
 namespace fissura::structure {
 
 /// Moment of a displacement discontinuity [N m],
-///   M = A [ lambda (n . d) I + mu (n d + d n) ]                          (Aki & Richards 2002, Eq. 3.22)
+///   M = A [ lambda (n . d) I + mu (n d + d n) ]                          (Aki & Richards 2002, sect. 3.3)
 /// @param normal  unit vector from minus to plus  @param jump  u_plus - u_minus [m]  @param area  [m2]
 PlaneTensor moment_of_jump(const Elasticity& moduli, const std::array<double, 2>& normal,
                            const std::array<double, 2>& jump, double area);

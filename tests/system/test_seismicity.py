@@ -37,7 +37,7 @@ class Catalogue(unittest.TestCase):
         self.assertGreater(found[0].count(b"\n"), 10)
 
     def test_a_run_that_died(self):
-        with Run(*PLACE) as whole, Run(*PLACE, "--set", "output.reports_per_segment=1", "--fault", "coupler@150=kill") as died:
+        with Run(*PLACE) as whole, Run(*PLACE, "--set", "output.reports_per_segment=1", "--fault", "coupler@350=kill") as died:
             self.assertEqual(whole.wait(120), 0, whole.errors)
             self.assertNotEqual(died.wait(120), 0)
             self.assertFalse((died.directory / "seismicity/catalogue.xml").exists())
