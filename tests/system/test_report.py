@@ -58,20 +58,39 @@ def visible_figures(page, query):
     return [figure["id"] for figure in seen["figures"] if figure["visible"]]
 
 
-def browse(page, query=""):
-    """What the probe saw, and what the page wrote on the console."""
+def dumped(text, query=""):
+    """The document that Chromium makes of a page, and what it and the page wrote on the console."""
     with tempfile.TemporaryDirectory(prefix="fissura-report-") as home:
         file = pathlib.Path(home) / "report.html"
-        body, end = page.rsplit("</body>", 1)
-        file.write_text(body + PROBE + end)
+        file.write_text(text)
         command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run",
                    f"--user-data-dir={home}/profile", "--window-size=1200,900", "--virtual-time-budget=10000",
                    "--enable-logging=stderr", "--dump-dom", file.as_uri() + query]
         done = subprocess.run(command, capture_output=True, text=True, timeout=120)
-        found = re.search(r'<pre id="probe">(.*?)</pre>', done.stdout, re.S)
-        assert found, "the page did not come to its end:\n" + done.stderr
-        console = [line for line in done.stderr.splitlines() if "CONSOLE" in line]
-        return json.loads(html.unescape(found.group(1))), console
+        return done.stdout, done.stderr
+
+
+def probed(document, errors):
+    found = re.search(r'<pre id="probe">(.*?)</pre>', document, re.S)
+    assert found, "the page did not come to its end:\n" + errors
+    return json.loads(html.unescape(found.group(1)))
+
+
+def browse(page, query=""):
+    """What the probe saw, and what the page wrote on the console."""
+    body, end = page.rsplit("</body>", 1)
+    document, errors = dumped(body + PROBE + end, query)
+    return probed(document, errors), [line for line in errors.splitlines() if "CONSOLE" in line]
+
+
+def run_script(script, expression):
+    """Value of an expression after a script of its own, as JSON brings it over."""
+    page = f"""<!DOCTYPE html><body><script>{script}
+const result = document.createElement("pre");
+result.id = "probe";
+result.textContent = JSON.stringify({expression});
+document.body.append(result);</script></body>"""
+    return probed(*dumped(page))
 
 
 class Report(unittest.TestCase):
