@@ -87,30 +87,48 @@ function drawBall(ctx, event, [x, y], radius, withArrows) {
   ctx.restore();
 }
 
-// Keeps places at a distance from each other: claim(x, y, distance) says whether none has been claimed nearer, and claims it if so.
+// Keeps discs apart: claim(x, y, reach) says whether its disc touches none that has been claimed, and claims it if so.
 function claims(cell) {
   const taken = new Map();
-  return (x, y, distance) => {
-    const column = Math.floor(x / cell), row = Math.floor(y / cell), reach = Math.ceil(distance / cell);
-    for (let right = -reach; right <= reach; ++right)
-      for (let down = -reach; down <= reach; ++down)
-        for (const other of taken.get(`${column + right},${row + down}`) || []) if (Math.hypot(other[0] - x, other[1] - y) < distance) return false;
+  let greatest = 0;
+  return (x, y, reach) => {
+    greatest = Math.max(greatest, reach);
+    const column = Math.floor(x / cell), row = Math.floor(y / cell), cells = Math.ceil((reach + greatest) / cell);
+    for (let right = -cells; right <= cells; ++right)
+      for (let down = -cells; down <= cells; ++down)
+        for (const other of taken.get(`${column + right},${row + down}`) || []) if (Math.hypot(other[0] - x, other[1] - y) < reach + other[2]) return false;
     const key = `${column},${row}`;
-    taken.set(key, [...(taken.get(key) || []), [x, y]]);
+    taken.set(key, [...(taken.get(key) || []), [x, y, reach]]);
     return true;
   };
 }
 
-// Balls of all events for which `isShown`, large ones first; what lies outside of the area is left out. Arrows only where there is room for them.
+// All events for which `isShown`, as far as they lie in the area: balls, the larger ones first to take their place among those of their type, and dots for
+// what has no room; shear above the rest. Arrows only where there is room for them.
 function drawBalls(ctx, place, sorted, radius, isShown, area) {
-  const hasRoom = claims(24);
+  const hasRoom = Object.fromEntries(eventTypes.map((type) => [type, claims(24)])), hasRoomForArrows = claims(24), balls = [];
   for (const event of sorted) {
     if (!isShown(event)) continue;
     const at = place(event.x, event.y), size = radius(event.moment), reach = 2 * size + 4;
     if (at[0] < area.left - reach || at[0] > area.right + reach || at[1] < area.top - reach || at[1] > area.bottom + reach) continue;
-    const opens = size >= 5 && (event.type === "tensile" || event.type === "closing");
-    drawBall(ctx, event, at, size, opens && hasRoom(...at, 1.9 * size + 8));
+    if (hasRoom[event.type](...at, 0.85 * size)) balls.push([event, at, size]);
+    else drawDot(ctx, event, at);
   }
+  const isShear = ([event]) => event.type === "shear";
+  for (const [event, at, size] of [...balls.filter((ball) => !isShear(ball)), ...balls.filter(isShear)]) {
+    const opens = size >= 5 && (event.type === "tensile" || event.type === "closing");
+    drawBall(ctx, event, at, size, opens && hasRoomForArrows(...at, 0.95 * size + 4));
+  }
+}
+
+function drawDot(ctx, event, [x, y]) {
+  ctx.fillStyle = eventColours[event.type];
+  ctx.strokeStyle = "#ffffff";
+  ctx.lineWidth = 0.6;
+  ctx.beginPath();
+  ctx.arc(x, y, 3.2, 0, 2 * Math.PI);
+  ctx.fill();
+  ctx.stroke();
 }
 
 function largeFirst(events) {

@@ -62,7 +62,8 @@ function describe(event) {
 }
 
 const ballCaption = "Balls: equal-area projection of the lower half of the focal sphere seen from above, whole moment tensor with its isotropic part and M_zz; coloured where the first motion is outward, white where "
-  + "it is inward. A tensile event moves outward everywhere, so its ball is a plain disc. The stroke through a ball is the plane that failed; arrows, where there is room: it opened, or closed. Radius by 10^(Mw/2).";
+  + "it is inward. A tensile event moves outward everywhere, so its ball is a plain disc. The stroke through a ball is the plane that failed; arrows, where there is room: it opened, or closed. Radius by 10^(Mw/2). Where balls of one type would cover each other, "
+  + "the greatest is drawn and the others are dots; a closer look shows more of them.";
 
 function seismicMap(grid, data, events) {
   const views = seismicViews(data, events), sorted = largeFirst(events), radius = radiusOf(events, ballSize(events), 2.2);

@@ -107,7 +107,7 @@ function distanceTime(grid, data, events) {
   const start = distance.start || 0, longest = events.reduce((most, event) => Math.max(most, event.distance || 0), 0);
   const laws = (distance.laws || []).filter((law) => law.coefficient !== null && law.curve).map((law, number) => curve(lawName(law), "distance", law.curve.time, law.curve.distance, lawColours[number % lawColours.length],
     { borderWidth: law.name === distance.best_law ? 2.4 : 1.1, borderDash: law.name === distance.best_law ? [] : [6, 4], order: 1 }));
-  const envelope = distance.envelope ? [curve("95 % envelope", "distance", distance.envelope.time, distance.envelope.distance, "#101820", { ...held, borderWidth: 1.2, order: 1 })] : [];
+  const envelope = distance.envelope ? [curve("95 % envelope", "distance", distance.envelope.time, distance.envelope.distance, "#101820", { borderWidth: 1.2, pointRadius: 3, pointStyle: "rect", backgroundColor: "#101820", order: 1 })] : [];
   const back = distance.back_front ? [curve("back front", "distance", distance.back_front.curve.time, distance.back_front.curve.distance, "#b3382c", { borderDash: [2, 3], order: 1 })] : [];
   const datasets = [...eventDots(events, "distance", (event) => event.time, (event) => event.distance, 9), ...envelope, ...laws, ...back];
   const pumped = isPumped(data.seismicity);
@@ -119,11 +119,12 @@ function distanceTime(grid, data, events) {
     source: `seismicity/catalogue.csv: tc_s, x_m, y_m, M0_Nm, type${pumped ? "; history.csv: time, rate" : ""}` });
 }
 
-// Without the first fiftieth of the time, when the well is being filled.
+// From the least after the first fiftieth of the time, when the well is being filled, to the greatest of all.
 function pressureLimits({ time, pressure }) {
-  const values = pressure.filter((value, row) => value !== null && time[row] > time[time.length - 1] / 50).map((value) => value / 1e6);
+  const inMegapascal = (values) => values.filter((value) => value !== null).map((value) => value / 1e6);
+  const values = inMegapascal(pressure.filter((_, row) => time[row] > time[time.length - 1] / 50));
   if (values.length === 0) return {};
-  const least = values.reduce((a, b) => Math.min(a, b)), most = values.reduce((a, b) => Math.max(a, b)), step = niceStep(Math.max(most - least, 0.02 * Math.abs(most), 1e-3), 3);
+  const least = values.reduce((a, b) => Math.min(a, b)), most = inMegapascal(pressure).reduce((a, b) => Math.max(a, b)), step = niceStep(Math.max(most - least, 0.02 * Math.abs(most), 1e-3), 3);
   return { min: Math.floor(least / step) * step, max: Math.ceil(most / step + 0.1) * step };
 }
 
@@ -134,10 +135,10 @@ function magnitudeTime(grid, data, events) {
   const stems = eventTypes.map((type) => ({ ...curve("", "magnitude", [], [], eventColours[type] + "70"), borderWidth: 0.8, spanGaps: false, order: 3,
     data: some.filter((event) => event.type === type).flatMap((event) => [{ x: event.time, y: foot }, { x: event.time, y: event.magnitude }, { x: event.time, y: NaN }]) })).filter((made) => made.data.length > 0);
   const datasets = [...stems, ...eventDots(some, "magnitude", (event) => event.time, (event) => event.magnitude, 5)], pumped = isPumped(data.seismicity);
-  if (pumped) datasets.push(curve("well pressure", "pressure", pumping.time, pumping.pressure.map((value) => value / 1e6), colours.blue), pumpRate(pumping, "rate"));
+  if (pumped) datasets.push(curve("well pressure", "pressure", pumping.time, pumping.pressure.map((value) => (value === null || value / 1e6 < (pressureLimits(pumping).min ?? 0) ? null : value / 1e6)), colours.blue), pumpRate(pumping, "rate"));
   panels(grid, { id: "magnitude_time", title: "Magnitude against time", wide: true, height: pumped ? 520 : 320, x: timeAxis(data),
     panels: [{ id: "magnitude", title: "magnitude Mw [\u2013]", weight: 2.6, limits: { min: foot, max: Math.ceil(2 * top + 0.2) / 2 } }, ...(pumped ? [{ id: "pressure", title: "pressure [MPa]", weight: 1, limits: pressureLimits(pumping) }, ratePanel] : [])], datasets,
-    caption: `A stem for each event.${pumped ? " Beneath: total pressure in the well, and what is pumped." : ""} ${caption}`, source: `seismicity/catalogue.csv: tc_s, Mw, type${pumped ? "; history.csv: time, well_pressure, rate" : ""}` });
+    caption: `A stem for each event.${pumped ? " Beneath: total pressure in the well, once it is full, and what is pumped." : ""} ${caption}`, source: `seismicity/catalogue.csv: tc_s, Mw, type${pumped ? "; history.csv: time, well_pressure, rate" : ""}` });
 }
 
 function seismicRate(grid, data) {
