@@ -103,7 +103,24 @@ class BeachBalls(unittest.TestCase):
         self.assertIsNone(evaluate("principalPattern({ xx: 0, yy: 0, zz: 0, xy: 0 })"))
 
 
+class Room(unittest.TestCase):
+    def test_of_discs_along_a_line_those_are_kept_that_touch_none_before_them(self):
+        # Ten of reach 3, one apart: every sixth has room; then one of reach 20 that reaches far over the cells, and a small one beyond it.
+        asked = [(x, 0, 3) for x in range(10)] + [(25, 0, 20), (29.6, 0, 20.5), (0, 90, 20), (0, 69, 0.9), (0, 69, 1.1)]
+        kept = run_script((PAGE / "seismic_balls.js").read_text(), f"(() => {{ const claim = claims(4); return {json.dumps(asked)}.map((disc) => claim(...disc)); }})()")
+        self.assertEqual(kept, [x in (0, 6) for x in range(10)] + [False, True, True, True, False])
+
+
 class Pictures(unittest.TestCase):
+    def test_a_run_that_keeps_no_catalogue_has_no_figure_of_it(self):
+        with Run("--until", "1 s", "--set", "seismicity.active=false") as run:
+            self.assertEqual(run.wait(120), 0, run.errors)
+            page = write_report(run)
+            self.assertIsNone(data_of(page)["seismicity"])
+            shown = set(visible_figures(page, ""))
+            self.assertEqual(shown & (set(FIGURES) | {"seismic_slip"}), set())
+            self.assertIn("half_length", shown)
+
     def test_every_figure_of_the_catalogue_is_drawn_and_none_without_one(self):
         with Run("--until", "3 s", case=CASE.parent / "crossing", form=None) as run:
             self.assertEqual(run.wait(120), 0, run.errors)
