@@ -58,7 +58,7 @@ std::uint64_t StructureRun::advance(double begin, double end, StructureState& st
     const Clock::time_point start = Clock::now();
     dynamics_.advance(state.body, step);  // Sect. 3.6, Eq. 8
     const Clock::time_point middle = Clock::now();
-    state.sources.watch(rock, tau, step.size);
+    state.sources.watch(rock, tau, step.size);  // what fails is a source (Sect. 4)
     joints_.advance(joint_nodes, {step.size, step.mass_scale, step.damping, tau}, state.joints);  // Eqs. 11, 18-22
     loop_times_.elements += seconds_between(start, middle);
     loop_times_.joints += seconds_between(middle, Clock::now());
