@@ -6,12 +6,11 @@ import pathlib
 import re
 import unittest
 
-from test_report import browse, data_of, run_script, visible_figures, write_report
+from test_report import FIGURES_OF_EVENTS as FIGURES, browse, data_of, run_script, visible_figures, write_report
 from trio import CASE, Run
 
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "coupler/report/page"
 LAMBDA, MU = 2.0, 3.0  # Poisson's ratio 0.2
-FIGURES = ("seismic_map", "distance_time", "magnitude_time", "frequency_magnitude", "hudson", "moment_time", "seismic_rate", "magnitude_distance", "stimulated_volume")
 
 
 def evaluate(expression):

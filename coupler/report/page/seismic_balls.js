@@ -112,7 +112,7 @@ function drawBalls(ctx, place, sorted, radius, isShown, area) {
     const at = place(event.x, event.y), size = radius(event.moment), reach = 2 * size + 4;
     if (at[0] < area.left - reach || at[0] > area.right + reach || at[1] < area.top - reach || at[1] > area.bottom + reach) continue;
     if (hasRoom[event.type](...at, 0.85 * size)) balls.push([event, at, size]);
-    else drawDot(ctx, event, at);
+    else drawDot(ctx, event, at, Math.min(size, 3.2));
   }
   const isShear = ([event]) => event.type === "shear";
   for (const [event, at, size] of [...balls.filter((ball) => !isShear(ball)), ...balls.filter(isShear)]) {
@@ -121,12 +121,12 @@ function drawBalls(ctx, place, sorted, radius, isShown, area) {
   }
 }
 
-function drawDot(ctx, event, [x, y]) {
+function drawDot(ctx, event, [x, y], radius) {
   ctx.fillStyle = eventColours[event.type];
   ctx.strokeStyle = "#ffffff";
   ctx.lineWidth = 0.6;
   ctx.beginPath();
-  ctx.arc(x, y, 3.2, 0, 2 * Math.PI);
+  ctx.arc(x, y, radius, 0, 2 * Math.PI);
   ctx.fill();
   ctx.stroke();
 }

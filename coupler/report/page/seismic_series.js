@@ -179,9 +179,10 @@ function momentTime(grid, data) {
   go(first);
 }
 
+// Of fewer than five events nothing is to be seen in it.
 function magnitudeDistance(grid, data, events) {
   const some = events.filter((event) => event.magnitude !== null && event.distance !== null);
-  if (some.length === 0) return;
+  if (some.length < 5) return;
   panels(grid, { id: "magnitude_distance", title: "Magnitude against distance", height: 420, x: { title: "distance from the well [m]", limits: { min: 0 } }, panels: [{ id: "magnitude", title: "magnitude Mw [\u2013]", weight: 2 }],
     datasets: eventDots(some, "magnitude", (event) => event.distance, (event) => event.magnitude, 5), caption: data.seismicity.caption, source: "seismicity/catalogue.csv: x_m, y_m, Mw, type" });
 }

@@ -17,7 +17,7 @@ function frequencyMagnitude(grid, data) {
   const minus = (value) => shown(Number(value.toFixed(2)), 3);
   const known = completeness !== null && completeness !== undefined, floor = found.numerical_floor !== null && found.numerical_floor !== undefined;
   const sentence = b ? `b by ${b.method} from ${b.events} events of at least Mw ${minus(b.from)}; \u00b1: ${b.sigma_shi_bolt === undefined || b.sigma_shi_bolt === null ? `Aki (${b.sigma_aki.toFixed(3)})` : `Shi and Bolt (Aki: ${b.sigma_aki.toFixed(3)})`}, dashed.`
-    : `b is not reported: ${found.not_reported || "no reason given"}`.replace(/\.?$/, ".");
+    : `b is not reported: ${(found.not_reported || "no reason given").replace(/ -(?=\d)/g, " \u2212")}`.replace(/\.?$/, ".");
   panels(grid, { id: "frequency_magnitude", title: "Frequency and magnitude", height: 440, x: { title: "magnitude Mw [\u2013]" }, panels: [{ id: "number", title: "number of events", weight: 1, logarithmic: true }],
     datasets: [number("of at least Mw", found.cumulative, { pointStyle: "circle", backgroundColor: "#101820", borderColor: "#101820", pointRadius: 3 }),
       number(`in a bin of ${shown(found.bin)}`, found.incremental, { pointStyle: "triangle", backgroundColor: "#fff", borderColor: "#0072b2", borderWidth: 1.3, order: 1 }), ...lines,
