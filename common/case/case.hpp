@@ -114,10 +114,10 @@ struct Growth {
   double turn_limit = 1.308996938995747;  ///< greatest turn of a segment [rad], 75 degrees
   bool nucleation = false;      ///< new fractures at failed clusters away from any tip; needs bulk failure
   double failure_damage = 0.7;  ///< damage at which an element counts as failed [-]
-  double failure_length =
-      2;  ///< length of failure path that becomes a fracture, in tip_size [-]; tip = damage and nucleation
-  double wet_zone =
-      2.5;  ///< fluid pressure acts in damaged elements within this many tip_size of a tip [-]; tip = damage
+  /// Length of failure path that becomes a fracture, in tip_size [-]; tip = damage and nucleation.
+  double failure_length = 2;
+  /// Fluid pressure acts in damaged elements within this many tip_size of a tip [-]; tip = damage.
+  double wet_zone = 2.5;
   CrossingRule crossing = CrossingRule::gu_weng;
 };
 
@@ -355,8 +355,8 @@ struct Case {
   Growth growth;
   InSitu in_situ;
   Boundaries boundary;
-  std::vector<FractureLine>
-      fractures;  ///< with the traces of the sets, cleaned; may be empty in a case without injection
+  /// With the traces of the sets, cleaned; may be empty in a case without injection.
+  std::vector<FractureLine> fractures;
   std::vector<NaturalFractureSet> natural_fracture_sets;  ///< what they were drawn from
   std::vector<InitialVelocity> initial_velocities;
   std::vector<Fluid> fluids;

@@ -188,11 +188,22 @@ class Worker {
     return static_cast<int>(verdict.judgement == Judgement::fail ? ExitCode::verdict_failed : ExitCode::done);
   }
 
+  /// All events so far stay in catalogue.csv. That this fails must not hide the failure being told of.
+  void keep_events() {
+    try {
+      monitor_.conclude();
+      monitor_.flush();
+    } catch (const std::exception& second) {
+      log::error(fmt::format("the catalogue could not be closed: {}", second.what()));
+    }
+  }
+
   int fail(ExitCode code, const char* who, const std::string& sentence) {
     const std::uint64_t interval = status_.interval();
     const std::string phase = status_.phase();
     trio_.abort(sentence);
     figures_.failure = Failure{code, who, interval, phase, sentence};
+    keep_events();
     try {
       if (recording_) record_.event(EventLevel::error, who, "failure", sentence);
       record_.finish(summary(Verdict{}));

@@ -52,6 +52,14 @@ class Catalogue(unittest.TestCase):
             self.assertGreater(sum(same), 5)
             self.assertEqual(same, sorted(same, reverse=True))
 
+    def test_a_run_that_failed_keeps_the_events_so_far(self):
+        with Run("--fault", "structure@350=fail") as run:
+            self.assertNotEqual(run.wait(120), 0)
+            told = run.summary()["seismicity"]
+            self.assertGreater(told["events"], 5)
+            self.assertEqual(len(rows(run.directory / "seismicity")), told["events"])
+            self.assertLess(told["conservation_error"], 1e-12)
+
 
 if __name__ == "__main__":
     unittest.main()
