@@ -327,6 +327,13 @@ struct Deadlines {
   double finish = 10;    ///< from FINISH to the end of the process
 };
 
+/// When a run keeps a checkpoint; all three are consistent at a coupling time.
+struct CheckpointControls {
+  double interval = 60;          ///< wall time between two [s]; 0: none by the clock
+  int intervals = 0;             ///< coupling intervals between two; 0: none by their number
+  int keep = 2;                  ///< newest ones kept, at least 2
+};
+
 /// Range outside which an exchanged pressure is refused. [Pa]
 struct PressureRange {
   double minimum = 0;
@@ -369,6 +376,7 @@ struct Case {
   Seismicity seismicity;
   std::optional<Georeference> georeference;
   Deadlines deadlines;
+  CheckpointControls checkpoint;
   PressureRange pressure_range;
   Exchange exchange;
   Participants participants;

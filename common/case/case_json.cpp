@@ -145,13 +145,15 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Seismicity, active, slip_rate, stress_drop, f
                                    voxel_events)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Georeference, latitude, longitude, depth, start, azimuth, section_azimuth)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Deadlines, join, progress, finish)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckpointControls, interval, intervals, keep)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PressureRange, minimum, maximum)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Exchange, endpoint)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Participants, network)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Case, schema, title, time, domain, mesh, rock, bulk_failure, growth,
                                    in_situ, boundary, fractures, natural_fracture_sets,
                                    initial_velocities, fluids, leak_off, injection, coupling,
-                                   dynamics, network, output, seismicity, georeference, deadlines, pressure_range, exchange,
+                                   dynamics, network, output, seismicity, georeference, deadlines, checkpoint,
+                                   pressure_range, exchange,
                                    participants)
 
 nlohmann::json case_to_json(const Case& value) {

@@ -95,6 +95,7 @@ Sections read_sections(input::TableReader& document, input::CaseFiles& files) {
   result.georeference = input::read_georeference(document);
   result.initial_velocities = input::read_initial_velocities(document);
   result.deadlines = input::read_deadlines(document);
+  result.checkpoint = input::read_checkpoint(document);
   result.pressure_range = input::read_pressure_range(document);
   result.exchange = input::read_exchange(document);
   result.participants = input::read_participants(document);

@@ -100,6 +100,16 @@ Deadlines read_deadlines(TableReader& document) {
   return deadlines;
 }
 
+CheckpointControls read_checkpoint(TableReader& document) {
+  TableReader table = document.optional_table("checkpoint");
+  CheckpointControls checkpoint;
+  checkpoint.interval = table.quantity("interval", dimension::time, not_negative, checkpoint.interval);
+  checkpoint.intervals = table.count("intervals", not_negative, checkpoint.intervals);
+  checkpoint.keep = table.count("keep", at_least(2), checkpoint.keep);
+  table.refuse_unknown_keys();
+  return checkpoint;
+}
+
 PressureRange read_pressure_range(TableReader& document) {
   TableReader table = document.optional_table("pressure_range");
   PressureRange range;

@@ -83,6 +83,7 @@ NetworkControls read_network(TableReader& document);
 Output read_output(TableReader& document);
 std::vector<InitialVelocity> read_initial_velocities(TableReader& document);
 Deadlines read_deadlines(TableReader& document);
+CheckpointControls read_checkpoint(TableReader& document);
 PressureRange read_pressure_range(TableReader& document);
 
 // read_seismicity.cpp

@@ -21,6 +21,8 @@ const char* name(Role role);
 struct Assignment {
   nlohmann::json run_case;  ///< the case in SI, see common/case/case_json.hpp
   int threads = 1;
+  /// A restore follows: nothing that the restored state replaces need be computed, and no topology is asked for.
+  bool resumes = false;
 };
 
 /// A solver as the coupler sees it. Calls come in this order: join; insert (revision 0); then any number of advance,
@@ -43,7 +45,9 @@ class Solver {
   virtual std::string insert(const Insertion& insertion) = 0;
   /// Fields for the record: REPORT in, FIELDS out.
   virtual Message report(const Message& command) = 0;
-  /// Opaque state blob, and its return.
+  /// Everything that later answers depend on, bit for bit, as an opaque blob: at a coupling time, with no insertion proposed
+  /// that has not been carried out. restore gives it back to another process of the same program and case; throws
+  /// Error(checkpoint_unusable) if the bytes are none of its own, and is unchanged then.
   virtual std::vector<std::byte> save() = 0;
   virtual void restore(const std::vector<std::byte>& state) = 0;
   /// Last figures of the participant for summary.json (wall times, counts).

@@ -94,8 +94,10 @@ int run_command(const RunOptions& options) {
   }
   // Threads of the structure that wait for each other long would keep the other two processes from the cores.
   ::setenv("GOMP_SPINCOUNT", "1000", 0);
-  StatusPage status;
-  return supervise(status, run.reading.value.deadlines.progress, [&] { return run_worker(run, status); });
+  const RunDirectory directory(run.directory);
+  StatusPage status(directory.path() / "status");
+  return supervise(status, {directory.path(), run.reading.value.deadlines.progress, {}, {}},
+                   [&](const Attempt&) { return run_worker(run, status); });
 }
 
 }  // namespace fissura::coupler

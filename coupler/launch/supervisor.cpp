@@ -108,7 +108,7 @@ class Watch {
   }
 
   int ended(ExitCode code, const std::string& cause) {
-    print_last_line(static_cast<int>(code), "coupler", status_.interval(), status_.phase(),
+    print_last_line(static_cast<int>(code), "coupler", status_.interval(), status_.phase().c_str(),
                     ("the coupler's worker " + cause).c_str());
     return static_cast<int>(code);
   }
@@ -123,7 +123,8 @@ class Watch {
 
 }  // namespace
 
-int supervise(StatusPage& status, double deadline, const std::function<int()>& work) {
+int supervise(StatusPage& status, const Supervision& supervision,
+              const std::function<int(const Attempt&)>& work) {
   // Participants of a dead worker become children of this process, so that they can be ended and reaped.
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
   Signals signals;
@@ -135,7 +136,7 @@ int supervise(StatusPage& status, double deadline, const std::function<int()>& w
     ::setpgid(0, 0);
     signals.restore_in_child();
     std::signal(SIGPIPE, SIG_IGN);
-    const int code = work();
+    const int code = work(supervision.first);
     std::fflush(nullptr);
     ::_exit(code);
   }
@@ -143,7 +144,7 @@ int supervise(StatusPage& status, double deadline, const std::function<int()>& w
   int code = 0;
   {
     ChildProcess worker(child);
-    code = Watch(status, deadline, worker).run(signals);
+    code = Watch(status, supervision.deadline, worker).run(signals);
     end_group(child);
   }
   return code;

@@ -41,7 +41,13 @@ constexpr std::array our_entries{"run.json",
                                  "probes.csv",
                                  "seismicity",
                                  "natural_fractures.csv",
-                                 "natural_fractures.json"};
+                                 "natural_fractures.json",
+                                 "checkpoints",
+                                 "status",
+                                 "resume.json",
+                                 "epochs.jsonl",
+                                 "run.report.json",
+                                 "SHA256SUMS"};
 
 [[noreturn]] void refuse(const std::string& sentence) {
   throw Error(ExitCode::precondition, sentence);

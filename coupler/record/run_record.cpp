@@ -30,9 +30,9 @@ void copy_inputs(const std::vector<std::filesystem::path>& files, const std::fil
 
 RunRecord::RunRecord(const std::filesystem::path& directory, int reports_per_segment)
     : directory_(directory),
-      remesh_ledger_(directory_.path()),
-      meeting_ledger_(directory_.path()),
-      segments_(directory_.path(), reports_per_segment) {
+      remesh_ledger_(directory_),
+      meeting_ledger_(directory_),
+      segments_(directory_, reports_per_segment) {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 

@@ -18,7 +18,6 @@
 #include "coupler/record/probes.hpp"
 #include "coupler/record/remesh_ledger.hpp"
 #include "coupler/record/run_description.hpp"
-#include "coupler/record/run_directory.hpp"
 #include "coupler/record/segments.hpp"
 
 /// Everything a run leaves behind (docs/results.md): the one thing the scheme talks to.
@@ -29,7 +28,7 @@ namespace fissura::coupler {
 
 class RunRecord {
  public:
-  /// Claims `directory` for this run (see RunDirectory for what is thrown) and ignores SIGXFSZ in this
+  /// Writes into `directory`, which exists and is claimed (RunDirectory), and ignores SIGXFSZ in this
   /// process, so that a limit on the file size is an error and not a death. `reports_per_segment` > 0: see
   /// case.toml, [output].
   RunRecord(const std::filesystem::path& directory, int reports_per_segment);
@@ -75,7 +74,7 @@ class RunRecord {
   /// When the run began, UTC, as run.json says. @pre begin
   [[nodiscard]] const std::string& started() const { return started_; }
   [[nodiscard]] RemeshTotals remesh_totals() const { return remesh_ledger_.totals(); }
-  [[nodiscard]] const std::filesystem::path& directory() const { return directory_.path(); }
+  [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
 
   /// Closes the segment that is open, if any, and flushes the tables. Throws StorageError.
   void close();
@@ -86,7 +85,7 @@ class RunRecord {
  private:
   void write_sources();
 
-  RunDirectory directory_;
+  std::filesystem::path directory_;
   History history_;
   RemeshLedger remesh_ledger_;
   MeetingLedger meeting_ledger_;

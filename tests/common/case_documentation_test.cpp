@@ -82,7 +82,7 @@ TEST_CASE("every key of every table stands in docs/case_format.md", "[common][ca
       "natural_fractures.set[0].", "natural_fractures.trace[0].", "fluid[0].", "leak_off.", "injection.",
       "injection.perforation[0].", "injection.stage[0].", "coupling.", "dynamics.", "network.", "output.",
       "output.probe[0].", "initial_velocity[0].", "seismicity.", "georeference.",
-      "deadlines.", "pressure_range.", "exchange.", "participants.");
+      "deadlines.", "checkpoint.", "pressure_range.", "exchange.", "participants.");
   const Folder folder;
   folder.write("case.toml", valid_case + optional_tables);
   const std::vector<std::string> faults = faults_in(folder, {table + "qqq=1"});

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <set>
 
+#include "coupler/record/run_directory.hpp"
 #include "coupler/record/run_record.hpp"
 #include "tests/coupler/record/sample_run.hpp"
 
@@ -27,7 +28,8 @@ TEST_CASE("a run leaves exactly the files that docs/results.md lists", "[coupler
   std::ofstream(folder.path() / "case.toml") << "schema = 1\n";
   const FractureNetwork network = sample::network();
   {
-    RunRecord record(folder.path() / "run", 20);
+    const RunDirectory directory(folder.path() / "run");
+    RunRecord record(directory.path(), 20);
     record.begin(description(folder.path() / "case.toml"));
     record.topology(network);
     record.interval(sample::interval(1, 0.5), {});
@@ -57,7 +59,8 @@ TEST_CASE("a finished run may be replaced by a new one in the same directory", "
   const sample::TemporaryDirectory folder;
   std::ofstream(folder.path() / "case.toml") << "schema = 1\n";
   for (int run = 0; run < 2; ++run) {
-    RunRecord record(folder.path() / "run", 20);
+    const RunDirectory directory(folder.path() / "run");
+    RunRecord record(directory.path(), 20);
     record.begin(description(folder.path() / "case.toml"));
     record.finish({{"verdict", "pass"}});
   }

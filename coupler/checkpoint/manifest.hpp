@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace fissura::coupler {
+
+/// What wrote a checkpoint: a run goes on bit for bit only with the same.
+struct Provenance {
+  std::string run_id;                               ///< hexadecimal
+  std::string case_hash;                            ///< of run.json
+  std::string program;                              ///< version and commit of the coupler
+  std::map<std::string, std::string> participants;  ///< role -> solver name and version
+  int threads = 1;  ///< of the structure; for the reader only: the bits do not depend on it
+
+  bool operator==(const Provenance&) const = default;
+};
+
+/// One file of a checkpoint.
+struct StateFile {
+  std::uint64_t bytes = 0;
+  std::string sha256;
+};
+
+/// MANIFEST.json: a checkpoint exists once its manifest does.
+struct Manifest {
+  Provenance provenance;
+  std::uint32_t epoch = 0;     ///< in which it was written
+  std::uint64_t interval = 0;  ///< last complete coupling interval
+  double time = 0;             ///< simulated [s]
+  std::uint64_t revision = 0;  ///< of the topology
+  std::string topology_hash;
+  std::map<std::string, StateFile> files;  ///< name of the state -> file NAME.state
+};
+
+/// The text of MANIFEST.json, closed by the SHA-256 of what stands before it: a changed bit anywhere is
+/// found.
+std::string manifest_text(const Manifest& manifest);
+
+/// Throws Error(checkpoint_unusable) saying what is wrong: not JSON, another schema, a hash that does not
+/// fit, a missing key.
+Manifest manifest_from_text(const std::string& text);
+
+}  // namespace fissura::coupler
