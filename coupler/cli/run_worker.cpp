@@ -73,6 +73,17 @@ std::string solver_of(const Trio& trio, Role role) {
   return identity.solver + " " + identity.version;
 }
 
+RunFailure failure_of(ExitCode code, const char* who, std::uint64_t interval, const std::string& phase,
+                      const std::string& sentence) {
+  RunFailure failure;
+  failure.exit_code = static_cast<int>(code);
+  failure.who = who;
+  failure.interval = interval;
+  failure.phase = phase;
+  failure.sentence = sentence;
+  return failure;
+}
+
 class Worker {
  public:
   Worker(const PreparedRun& run, StatusPage& status)
@@ -179,12 +190,7 @@ class Worker {
       std::printf("%s\n", figures.dump(2).c_str());
     else
       std::printf("%sresults: %s\n", verdict_table(verdict).c_str(), run_.directory.string().c_str());
-    if (stop_signal != 0) {
-      const int code = 128 + stop_signal;
-      print_last_line(code, "coupler", record_.history().size(), "stopped",
-                      "ended at a coupling time, as asked");
-      return code;
-    }
+    if (stop_signal != 0) return 128 + stop_signal;
     return static_cast<int>(verdict.judgement == Judgement::fail ? ExitCode::verdict_failed : ExitCode::done);
   }
 
@@ -201,6 +207,7 @@ class Worker {
   int fail(ExitCode code, const char* who, const std::string& sentence) {
     const std::uint64_t interval = status_.interval();
     const std::string phase = status_.phase();
+    status_.fail(failure_of(code, who, interval, phase, sentence));
     trio_.abort(sentence);
     figures_.failure = Failure{code, who, interval, phase, sentence};
     keep_events();
@@ -210,7 +217,6 @@ class Worker {
     } catch (const std::exception& second) {
       log::error(fmt::format("the record could not be closed: {}", second.what()));
     }
-    print_last_line(static_cast<int>(code), who, interval, phase.c_str(), sentence.c_str());
     return static_cast<int>(code);
   }
 
@@ -233,10 +239,10 @@ int run_worker(const PreparedRun& run, StatusPage& status) {
   try {
     return Worker(run, status).execute();
   } catch (const Error& failure) {
-    print_last_line(static_cast<int>(failure.code()), "coupler", 0, "start", failure.what());
+    status.fail(failure_of(failure.code(), "coupler", 0, "start", failure.what()));
     return static_cast<int>(failure.code());
   } catch (const std::exception& failure) {
-    print_last_line(static_cast<int>(ExitCode::internal), "coupler", 0, "start", failure.what());
+    status.fail(failure_of(ExitCode::internal, "coupler", 0, "start", failure.what()));
     return static_cast<int>(ExitCode::internal);
   }
 }

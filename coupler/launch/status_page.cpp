@@ -19,7 +19,7 @@ namespace fissura::coupler {
 
 namespace {
 
-constexpr std::uint64_t layout = 0x31'53'49'46'00'00'00'01;
+constexpr std::uint64_t layout = 0x31'53'49'46'00'00'00'02;
 constexpr int attempts_to_read = 1000;
 
 [[noreturn]] void refuse(const std::filesystem::path& file) {
@@ -73,6 +73,17 @@ void StatusPage::show(std::uint64_t interval, const char* phase) {
 void StatusPage::fail(const RunFailure& failure) {
   content_->failure = failure;
   beat();
+}
+
+void StatusPage::begin_life() {
+  clear_failure();
+  content_->conclusion.store(-1);
+  if (content_->changes.load() % 2 != 0) end_change();
+}
+
+std::optional<int> StatusPage::conclusion() const {
+  const int code = content_->conclusion.load(std::memory_order_acquire);
+  return code < 0 ? std::nullopt : std::optional(code);
 }
 
 RunStatus StatusPage::read() const {

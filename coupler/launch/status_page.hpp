@@ -101,6 +101,13 @@ class StatusPage {
   [[nodiscard]] RunFailure failure() const { return content_->failure; }
   void clear_failure() { content_->failure = {}; }
 
+  /// Supervisor: before it forks a worker: no failure, no conclusion, no change half done by the one before.
+  void begin_life();
+  /// In the worker, last of all: it has come to its end by itself, with this exit code.
+  void conclude(int exit_code) { content_->conclusion.store(exit_code, std::memory_order_release); }
+  /// The exit code of conclude(); nothing if this worker has not come so far.
+  [[nodiscard]] std::optional<int> conclusion() const;
+
   /// Supervisor: end the run at the next coupling time; `signal` says why.
   void request_stop(int signal) { content_->stop_signal.store(signal, std::memory_order_relaxed); }
   /// Worker: the signal of request_stop, or 0.
@@ -119,6 +126,7 @@ class StatusPage {
     std::atomic<std::uint64_t> beats{0};
     std::atomic<std::uint64_t> changes{0};  ///< odd while the status is being changed
     std::atomic<int> stop_signal{0};
+    std::atomic<int> conclusion{-1};  ///< -1: none yet
     std::atomic<std::uint64_t> checkpoints_wanted{0};
     RunStatus status;
     RunFailure failure;

@@ -2,157 +2,123 @@
 #include "coupler/launch/supervisor.hpp"
 
 #include <fmt/format.h>
-#include <poll.h>
 #include <sys/prctl.h>
-#include <sys/signalfd.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <optional>
+#include <set>
 
 #include "common/errors.hpp"
 #include "coupler/launch/child_process.hpp"
+#include "coupler/launch/last_line.hpp"
+#include "coupler/launch/process_tree.hpp"
+#include "coupler/launch/run_report.hpp"
+#include "coupler/launch/signals.hpp"
+#include "coupler/launch/worker_watch.hpp"
+#include "coupler/record/checked_file.hpp"
 
 namespace fissura::coupler {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-constexpr int tick_ms = 50;
-constexpr double stop_tolerance = 1.5;
+using Work = std::function<int(const Attempt&)>;
 
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-/// SIGINT, SIGTERM and SIGHUP as a file descriptor instead of handlers.
-class Signals {
+class Supervisor {
  public:
-  Signals() {
-    sigemptyset(&set_);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&set_, signal);
-    ::sigprocmask(SIG_BLOCK, &set_, &previous_);
-    descriptor_ = ::signalfd(-1, &set_, SFD_CLOEXEC | SFD_NONBLOCK);
-  }
-  ~Signals() {
-    ::close(descriptor_);
-    ::sigprocmask(SIG_SETMASK, &previous_, nullptr);
-  }
-  Signals(const Signals&) = delete;
-  Signals& operator=(const Signals&) = delete;
-  void restore_in_child() { ::sigprocmask(SIG_SETMASK, &previous_, nullptr); }
-  [[nodiscard]] int descriptor() const { return descriptor_; }
-  std::optional<int> next() {
-    signalfd_siginfo info{};
-    if (::read(descriptor_, &info, sizeof(info)) != sizeof(info)) return std::nullopt;
-    return static_cast<int>(info.ssi_signo);
+  Supervisor(StatusPage& status, const Supervision& supervision, const Work& work)
+      : status_(status), supervision_(supervision), work_(work), requests_(status), healer_(supervision.healing) {
+    // Participants of a dead worker become children of this process, so that they can be ended and reaped.
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+    std::filesystem::remove(supervision_.directory / run_report_name);
   }
 
- private:
-  sigset_t set_{}, previous_{};
-  int descriptor_ = -1;
-};
-
-/// Ends whatever is left of the worker's process group, and reaps it.
-void end_group(pid_t leader) {
-  ::kill(-leader, SIGKILL);
-  for (int wait = 0; wait < 200; ++wait) {
-    while (::waitpid(-1, nullptr, WNOHANG) > 0) {
-    }
-    if (::kill(-leader, 0) != 0) return;
-    ::usleep(5000);
-  }
-}
-
-class Watch {
- public:
-  Watch(StatusPage& status, double deadline, ChildProcess& worker)
-      : status_(status), deadline_(deadline), worker_(worker) {}
-
-  int run(Signals& signals) {
-    for (;;) {
-      pollfd waits[] = {{worker_.descriptor(), POLLIN, 0}, {signals.descriptor(), POLLIN, 0}};
-      ::poll(waits, 2, tick_ms);
-      if (const std::optional<ProcessEnd> end = worker_.end()) return worker_ended(*end);
-      while (const std::optional<int> signal = signals.next()) {
-        if (status_.stop_signal() != 0) return 128 + *signal;
-        std::fprintf(stderr, "coupler: stopping at the next coupling time (once more to stop at once)\n");
-        status_.request_stop(*signal);
-      }
-      if (is_stopped()) return ended(ExitCode::participant_unresponsive, "is stopped by a signal");
-      if (is_stuck())
-        return ended(ExitCode::participant_unresponsive,
-                     fmt::format("is alive but made no progress for {} s", deadline_));
+  int run() {
+    for (Attempt attempt = supervision_.first;; attempt = {true, attempt.epoch + 1}) {
+      WorkerEnd end = live(attempt);
+      if (!goes_on_after(end, attempt.epoch)) return conclude(end, attempt.epoch);
     }
   }
 
  private:
-  int worker_ended(const ProcessEnd& end) {
-    if (!end.signal) return end.exit_code;
-    return ended(ExitCode::participant_died, end.sentence());
+  /// One life of the worker; none of its processes is left afterwards.
+  WorkerEnd live(const Attempt& attempt) {
+    status_.begin_life();
+    std::fflush(nullptr);
+    const pid_t child = ::fork();
+    if (child < 0) throw Error(ExitCode::precondition, "cannot fork the worker");
+    if (child == 0) be_the_worker(attempt);
+    ::setpgid(child, child);
+    ChildProcess worker(child);
+    const WorkerEnd end = WorkerWatch(status_, supervision_.deadline, requests_, worker).until_end();
+    ::kill(-child, SIGKILL);
+    if (!end_descendants(not_ours_))
+      std::fputs("coupler: warning: a process of the run cannot be ended: the kernel holds it\n", stderr);
+    return end;
   }
 
-  bool is_stopped() {
-    if (!worker_.stopped()) stopped_since_.reset();
-    else if (!stopped_since_) stopped_since_ = Clock::now();
-    return stopped_since_ && since(*stopped_since_) > stop_tolerance;
+  [[noreturn]] void be_the_worker(const Attempt& attempt) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() != supervisor_) ::_exit(static_cast<int>(ExitCode::participant_died));
+    ::setpgid(0, 0);
+    pass_stop_signals_to(status_);
+    requests_.signals().restore_in_child();
+    const int code = work_(attempt);
+    std::fflush(nullptr);
+    status_.conclude(code);
+    ::_exit(code);
   }
 
-  bool is_stuck() {
-    if (status_.beats() != beats_) {
-      beats_ = status_.beats();
-      last_beat_ = Clock::now();
+  bool goes_on_after(WorkerEnd& end, std::uint32_t epoch) {
+    if (end.failure.exit_code == 0 || end.failure.exit_code > 128) return false;
+    Death death{epoch, end.failure, newest_checkpoint(supervision_.directory)};
+    const bool goes_on = healer_.goes_on_after(death);
+    end.failure = death.failure;
+    if (!goes_on) return false;
+    requests_.hear();
+    if (requests_.end_asked() != 0) return false;
+    std::fprintf(stderr, "%s\n", healing_line(death).c_str());
+    return true;
+  }
+
+  int conclude(const WorkerEnd& end, std::uint32_t epoch) {
+    const std::optional<std::uint64_t> checkpoint = newest_checkpoint(supervision_.directory);
+    const bool complete = end.failure.exit_code == 0;
+    const std::string line = complete ? "" : last_line(end.failure, supervision_.directory, checkpoint);
+    write({end.exit_code, end.failure, line, checkpoint, epoch, healer_.deaths(), status_.read(), wall_seconds()});
+    if (!complete) std::fprintf(stderr, "%s\n", line.c_str());
+    return end.exit_code;
+  }
+
+  /// The code of the run stays what it is: what ended it goes before what could not be written then.
+  void write(const RunEnd& end) {
+    try {
+      write_whole_file(supervision_.directory / run_report_name,
+                       run_report(supervision_.directory, end).dump(2) + "\n");
+    } catch (const std::exception& fault) {
+      std::fprintf(stderr, "coupler: warning: %s is missing: %s\n", run_report_name, fault.what());
     }
-    return since(last_beat_) > deadline_;
   }
 
-  int ended(ExitCode code, const std::string& cause) {
-    print_last_line(static_cast<int>(code), "coupler", status_.interval(), status_.phase().c_str(),
-                    ("the coupler's worker " + cause).c_str());
-    return static_cast<int>(code);
+  [[nodiscard]] double wall_seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
 
   StatusPage& status_;
-  double deadline_;
-  ChildProcess& worker_;
-  std::uint64_t beats_ = 0;
-  Clock::time_point last_beat_ = Clock::now();
-  std::optional<Clock::time_point> stopped_since_;
+  const Supervision& supervision_;
+  const Work& work_;
+  const pid_t supervisor_ = ::getpid();
+  const std::set<pid_t> not_ours_ = descendants();  ///< of the program that became this one
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Requests requests_;
+  Healer healer_;
 };
 
 }  // namespace
 
-int supervise(StatusPage& status, const Supervision& supervision,
-              const std::function<int(const Attempt&)>& work) {
-  // Participants of a dead worker become children of this process, so that they can be ended and reaped.
-  ::prctl(PR_SET_CHILD_SUBREAPER, 1);
-  Signals signals;
-  std::fflush(nullptr);
-  const pid_t child = ::fork();
-  if (child < 0) throw Error(ExitCode::precondition, "cannot fork the worker");
-  if (child == 0) {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    ::setpgid(0, 0);
-    signals.restore_in_child();
-    std::signal(SIGPIPE, SIG_IGN);
-    const int code = work(supervision.first);
-    std::fflush(nullptr);
-    ::_exit(code);
-  }
-  ::setpgid(child, child);
-  int code = 0;
-  {
-    ChildProcess worker(child);
-    code = Watch(status, supervision.deadline, worker).run(signals);
-    end_group(child);
-  }
-  return code;
-}
-
-void print_last_line(int exit_code, const char* who, std::uint64_t interval, const char* phase, const char* sentence) {
-  std::fprintf(stderr, "coupler: %s %s interval=%llu phase=%s: %s\n", name(static_cast<ExitCode>(exit_code)), who,
-               static_cast<unsigned long long>(interval), phase, sentence);
+int supervise(StatusPage& status, const Supervision& supervision, const Work& work) {
+  return Supervisor(status, supervision, work).run();
 }
 
 }  // namespace fissura::coupler
