@@ -23,8 +23,8 @@ struct Death {
   std::optional<std::uint64_t> checkpoint;  ///< interval the run could go on from; the beginning without
 };
 
-/// Whether another life may end otherwise after this exit code: something died, hung, broke the protocol or ran out
-/// of memory. Not after what would happen again (the case, the numbers, the disk).
+/// Whether another life may end otherwise after this exit code: something died, hung, broke the protocol or
+/// ran out of memory. Not after what would happen again (the case, the numbers, the disk).
 bool is_healed(int exit_code);
 
 /// Counts deaths and says when the run goes on.

@@ -20,7 +20,8 @@ std::string for_a_shell(const std::string& word) {
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
   if (!word.empty() && word.find_first_not_of(harmless) == std::string::npos) return word;
   std::string quoted = "'";
-  for (const char character : word) quoted += character == '\'' ? std::string("'\\''") : std::string(1, character);
+  for (const char character : word)
+    quoted += character == '\'' ? std::string("'\\''") : std::string(1, character);
   return quoted + "'";
 }
 
@@ -44,7 +45,8 @@ std::optional<std::uint64_t> newest_checkpoint(const std::filesystem::path& run_
     std::uint64_t interval = 0;
     const char* end = folder.data() + folder.size();
     if (std::from_chars(folder.data(), end, interval).ptr != end) continue;
-    if (std::filesystem::exists(entry.path() / "MANIFEST.json", none)) newest = std::max(newest.value_or(0), interval);
+    if (std::filesystem::exists(entry.path() / "MANIFEST.json", none))
+      newest = std::max(newest.value_or(0), interval);
   }
   return newest;
 }
@@ -65,14 +67,16 @@ std::string resume_command(const std::filesystem::path& run_directory) {
 }
 
 std::string last_line(const RunFailure& failure) {
-  return fmt::format("coupler: {} {} interval={} phase={}: {}", name_of_code(failure.exit_code), failure.who.text(),
-                     failure.interval, failure.phase.text(), on_one_line(failure.sentence.text()));
+  return fmt::format("coupler: {} {} interval={} phase={}: {}", name_of_code(failure.exit_code),
+                     failure.who.text(), failure.interval, failure.phase.text(),
+                     on_one_line(failure.sentence.text()));
 }
 
 std::string last_line(const RunFailure& failure, const std::filesystem::path& run_directory,
                       const std::optional<std::uint64_t>& checkpoint) {
   if (!can_resume_after(failure.exit_code)) return last_line(failure);
-  return fmt::format("{}. Resume: {} (from {})", last_line(failure), resume_command(run_directory), place(checkpoint));
+  return fmt::format("{}. Resume: {} (from {})", last_line(failure), resume_command(run_directory),
+                     place(checkpoint));
 }
 
 }  // namespace fissura::coupler

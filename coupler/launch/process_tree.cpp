@@ -26,7 +26,8 @@ std::optional<pid_t> parent_of(const std::string& pid) {
   std::string text;
   std::getline(stream, text);
   const std::size_t name_end = text.rfind(')');  // the name may hold anything
-  if (name_end == std::string::npos || name_end + 4 >= text.size() || text[name_end + 2] == 'Z') return std::nullopt;
+  if (name_end == std::string::npos || name_end + 4 >= text.size() || text[name_end + 2] == 'Z')
+    return std::nullopt;
   pid_t parent = 0;
   const char* begin = text.data() + name_end + 4;
   if (std::from_chars(begin, text.data() + text.size(), parent).ec != std::errc()) return std::nullopt;
@@ -36,10 +37,12 @@ std::optional<pid_t> parent_of(const std::string& pid) {
 std::multimap<pid_t, pid_t> children_by_parent() {
   std::multimap<pid_t, pid_t> children;
   std::error_code ended;
-  for (std::filesystem::directory_iterator entry("/proc", ended), last; !ended && entry != last; entry.increment(ended)) {
+  for (std::filesystem::directory_iterator entry("/proc", ended), last; !ended && entry != last;
+       entry.increment(ended)) {
     const std::string text = entry->path().filename().string();
     pid_t pid = 0;
-    if (std::from_chars(text.data(), text.data() + text.size(), pid).ptr != text.data() + text.size()) continue;
+    if (std::from_chars(text.data(), text.data() + text.size(), pid).ptr != text.data() + text.size())
+      continue;
     if (const std::optional<pid_t> parent = parent_of(text)) children.emplace(*parent, pid);
   }
   return children;
@@ -71,7 +74,9 @@ void kill_if_ours(pid_t pid, const std::set<pid_t>& listed) {
 
 }  // namespace
 
-std::set<pid_t> descendants() { return descendants_but({}); }
+std::set<pid_t> descendants() {
+  return descendants_but({});
+}
 
 bool end_descendants(const std::set<pid_t>& spared) {
   for (int attempt = 0; attempt < attempts; ++attempt) {

@@ -22,12 +22,9 @@ Json run_id_of(const std::filesystem::path& run_directory) {
 }
 
 Json cause_of(const RunFailure& failure) {
-  return {{"code", failure.exit_code},
-          {"name", name_of_code(failure.exit_code)},
-          {"participant", failure.who.text()},
-          {"interval", failure.interval},
-          {"phase", failure.phase.text()},
-          {"cause", failure.sentence.text()}};
+  return {{"code", failure.exit_code},         {"name", name_of_code(failure.exit_code)},
+          {"participant", failure.who.text()}, {"interval", failure.interval},
+          {"phase", failure.phase.text()},     {"cause", failure.sentence.text()}};
 }
 
 }  // namespace
@@ -38,7 +35,8 @@ nlohmann::ordered_json run_report(const std::filesystem::path& run_directory, co
     report.update(cause_of(end.failure));
     report["last_line"] = end.last_line;
     if (can_resume_after(end.exit_code))
-      report["resume"] = {{"command", resume_command(run_directory)}, {"interval", interval_of(end.checkpoint)}};
+      report["resume"] = {{"command", resume_command(run_directory)},
+                          {"interval", interval_of(end.checkpoint)}};
   }
   report["epoch"] = end.epoch;
   report["deaths"] = Json::array();

@@ -19,7 +19,9 @@ bool is_ignored(int signal) {
   return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
-extern "C" void ask_for_end(int signal) { page_of_worker->request_stop(signal); }
+extern "C" void ask_for_end(int signal) {
+  page_of_worker->request_stop(signal);
+}
 
 }  // namespace
 
@@ -37,7 +39,9 @@ Signals::~Signals() {
   ::sigprocmask(SIG_SETMASK, &previous_, nullptr);
 }
 
-void Signals::restore_in_child() const { ::sigprocmask(SIG_SETMASK, &previous_, nullptr); }
+void Signals::restore_in_child() const {
+  ::sigprocmask(SIG_SETMASK, &previous_, nullptr);
+}
 
 std::optional<int> Signals::next() {
   signalfd_siginfo information{};

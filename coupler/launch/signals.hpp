@@ -11,8 +11,8 @@ namespace fissura::coupler {
 
 /// The signals by which a user asks something of a run, read from a descriptor instead of handled: SIGINT,
 /// SIGTERM, SIGHUP (unless it was ignored when the program started, as under nohup) and SIGUSR1. SIGPIPE and
-/// SIGTTOU are ignored: a log that nobody reads any more, or a terminal that wants no output from the background,
-/// does not end a run.
+/// SIGTTOU are ignored: a log that nobody reads any more, or a terminal that wants no output from the
+/// background, does not end a run.
 class Signals {
  public:
   Signals();
@@ -32,9 +32,9 @@ class Signals {
   int descriptor_ = -1;
 };
 
-/// What the user has asked of a run. A first SIGINT, SIGTERM or SIGHUP asks for its end at the next coupling time,
-/// a second one for its end at once; signals closer together than a finger can press count as one. SIGUSR1
-/// asks for a checkpoint.
+/// What the user has asked of a run. A first SIGINT, SIGTERM or SIGHUP asks for its end at the next coupling
+/// time, a second one for its end at once; signals closer together than a finger can press count as one.
+/// SIGUSR1 asks for a checkpoint.
 class Requests {
  public:
   explicit Requests(StatusPage& status) : status_(status) {}
@@ -58,8 +58,8 @@ class Requests {
   Clock::time_point last_{};
 };
 
-/// In the worker: its own SIGINT, SIGTERM and SIGHUP (from a service manager that signals every process of a run)
-/// also ask for the end at the next coupling time. @pre `status` outlives the process
+/// In the worker: its own SIGINT, SIGTERM and SIGHUP (from a service manager that signals every process of a
+/// run) also ask for the end at the next coupling time. @pre `status` outlives the process
 void pass_stop_signals_to(StatusPage& status);
 
 }  // namespace fissura::coupler

@@ -28,7 +28,11 @@ using Work = std::function<int(const Attempt&)>;
 class Supervisor {
  public:
   Supervisor(StatusPage& status, const Supervision& supervision, const Work& work)
-      : status_(status), supervision_(supervision), work_(work), requests_(status), healer_(supervision.healing) {
+      : status_(status),
+        supervision_(supervision),
+        work_(work),
+        requests_(status),
+        healer_(supervision.healing) {
     // Participants of a dead worker become children of this process, so that they can be ended and reaped.
     ::prctl(PR_SET_CHILD_SUBREAPER, 1);
     std::filesystem::remove(supervision_.directory / run_report_name);
@@ -86,7 +90,8 @@ class Supervisor {
     const std::optional<std::uint64_t> checkpoint = newest_checkpoint(supervision_.directory);
     const bool complete = end.failure.exit_code == 0;
     const std::string line = complete ? "" : last_line(end.failure, supervision_.directory, checkpoint);
-    write({end.exit_code, end.failure, line, checkpoint, epoch, healer_.deaths(), status_.read(), wall_seconds()});
+    write({end.exit_code, end.failure, line, checkpoint, epoch, healer_.deaths(), status_.read(),
+           wall_seconds()});
     if (!complete) std::fprintf(stderr, "%s\n", line.c_str());
     return end.exit_code;
   }

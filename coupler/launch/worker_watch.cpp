@@ -14,10 +14,11 @@ namespace fissura::coupler {
 namespace {
 
 constexpr std::chrono::milliseconds tick{50};
-constexpr std::chrono::milliseconds own_pause{500};  // longer than that between two looks: this process did not run
-constexpr double stop_tolerance = 1.5;               // wall seconds a worker may be stopped
-constexpr double closing_time = 4.0;                 // wall seconds to close a run that has failed
-constexpr double warning_part = 0.5;                 // of the deadline
+constexpr std::chrono::milliseconds own_pause{
+    500};                               // longer than that between two looks: this process did not run
+constexpr double stop_tolerance = 1.5;  // wall seconds a worker may be stopped
+constexpr double closing_time = 4.0;    // wall seconds to close a run that has failed
+constexpr double warning_part = 0.5;    // of the deadline
 
 double since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -57,7 +58,8 @@ std::optional<WorkerEnd> WorkerWatch::reason_to_end() {
   if (is_stuck())
     return finding(ExitCode::participant_unresponsive,
                    fmt::format("the coupler's worker is alive but made no progress for {} s", deadline_));
-  if (is_slow_to_close()) return finding(ExitCode::participant_unresponsive, "the coupler's worker does not end");
+  if (is_slow_to_close())
+    return finding(ExitCode::participant_unresponsive, "the coupler's worker does not end");
   return std::nullopt;
 }
 
@@ -67,8 +69,9 @@ WorkerEnd WorkerWatch::ended_by_itself(const ProcessEnd& end) const {
     const std::optional<std::uint64_t> kills = memory_kills();
     const bool out_of_memory =
         end.signal == SIGKILL && kills && memory_kills_before_ && *kills > *memory_kills_before_;
-    return finding(out_of_memory ? ExitCode::out_of_memory : ExitCode::participant_died,
-                   "the coupler's worker " + end.sentence() + (out_of_memory ? " by the kernel: out of memory" : ""));
+    return finding(
+        out_of_memory ? ExitCode::out_of_memory : ExitCode::participant_died,
+        "the coupler's worker " + end.sentence() + (out_of_memory ? " by the kernel: out of memory" : ""));
   }
   const RunFailure failure = status_.failure();
   if (failure.exit_code != 0) return {failure.exit_code, failure};
@@ -126,8 +129,10 @@ bool WorkerWatch::is_stuck() {
   }
   if (!warned_ && since(last_beat_) > warning_part * deadline_) {
     warned_ = true;
-    std::fprintf(stderr, "coupler: warning: the worker has made no progress for %.3g s (interval %llu, phase %s)\n",
-                 warning_part * deadline_, static_cast<unsigned long long>(status_.interval()), status_.phase().c_str());
+    std::fprintf(stderr,
+                 "coupler: warning: the worker has made no progress for %.3g s (interval %llu, phase %s)\n",
+                 warning_part * deadline_, static_cast<unsigned long long>(status_.interval()),
+                 status_.phase().c_str());
   }
   return since(last_beat_) > deadline_;
 }

@@ -18,10 +18,10 @@ struct WorkerEnd {
   RunFailure failure;  ///< its exit_code is 0 if the run is complete
 };
 
-/// Watches the worker until it has ended, or must be: when it is stopped by a signal, makes no progress, takes too
-/// long to close a run that has failed, or when the user wants the end at once. What the worker itself reported
-/// first goes before what became of it then. Time in which this process did not run itself (a machine asleep) does
-/// not count.
+/// Watches the worker until it has ended, or must be: when it is stopped by a signal, makes no progress,
+/// takes too long to close a run that has failed, or when the user wants the end at once. What the worker
+/// itself reported first goes before what became of it then. Time in which this process did not run itself (a
+/// machine asleep) does not count.
 class WorkerWatch {
  public:
   /// @param deadline  wall seconds the worker may go without a beat
