@@ -102,8 +102,9 @@ class Session {
       channel_.send(std::move(progress));
       hear_coupler();
     });
-    solver_.join({answer.value<nlohmann::json>("case"), answer.value<int>("threads")});
-    if (role_ == Role::structure) send_first_topology();
+    const bool resumes = answer.body.contains("resumes") && answer.value<bool>("resumes");
+    solver_.join({answer.value<nlohmann::json>("case"), answer.value<int>("threads"), resumes});
+    if (role_ == Role::structure && !resumes) send_first_topology();
   }
 
   void send_first_topology() {
@@ -169,16 +170,14 @@ class Session {
         return Next::go_on;
       }
       case MessageType::save: {
+        if (proposed_) throw ProtocolError("SAVE came while an insertion is proposed");
         Message state;
         const std::vector<std::byte> blob = solver_.save();
         state.add_bytes("state", blob);
         reply(MessageType::state, std::move(state));
         return Next::go_on;
       }
-      case MessageType::restore:
-        solver_.restore(command.bytes("state"));
-        reply(MessageType::restored, Message());
-        return Next::go_on;
+      case MessageType::restore: restore(command); return Next::go_on;
       case MessageType::finish: {
         Message bye;
         bye.body["figures"] = solver_.finish();
@@ -196,6 +195,7 @@ class Session {
     require_revision(command);
     const bool poisoned = fault_point(fault_, interval_);
     Message answer = solver_.advance(command);
+    proposed_ = answer.body.contains("insertion");
     if (poisoned) spoil(answer);
     reply(role_ == Role::network ? MessageType::pressure : MessageType::response, std::move(answer));
   }
@@ -211,10 +211,28 @@ class Session {
     }
     if (!own_first && solver_hash != network_.topology_hash())
       throw ProtocolError(fmt::format("the solver's topology differs after revision {}", insertion.revision));
-    Message acknowledgement;
-    acknowledgement.body["hash"] = network_.topology_hash();
-    if (role_ == Role::structure) solver_.describe_state(acknowledgement);
-    reply(MessageType::acknowledge, std::move(acknowledgement));
+    proposed_ = false;
+    reply(MessageType::acknowledge, network_and_state());
+  }
+
+  /// The topology comes from the coupler, not from the state: so both participants start from the same one.
+  void restore(const Message& command) {
+    if (!network_.empty()) throw ProtocolError("RESTORE came to a participant that has a topology already");
+    FractureNetwork network;
+    for (const nlohmann::json& insertion : command.value<nlohmann::json>("insertions"))
+      network.apply(insertion_from_json(insertion));
+    if (network.empty()) throw ProtocolError("RESTORE brings no topology");
+    solver_.restore(command.bytes("state"));
+    network_ = std::move(network);
+    reply(MessageType::restored, network_and_state());
+  }
+
+  /// What shows that coupler and participant are at the same place.
+  Message network_and_state() {
+    Message answer;
+    answer.body["hash"] = network_.topology_hash();
+    if (role_ == Role::structure) solver_.describe_state(answer);
+    return answer;
   }
 
   void require_revision(const Message& command) const {
@@ -268,6 +286,7 @@ class Session {
   std::optional<FaultPlan> fault_;
   Seconds deadline_;
   FractureNetwork network_;
+  bool proposed_ = false;  ///< an insertion that has not come yet
   std::uint64_t interval_ = 0;
   double work_seconds_ = 0;  ///< wall time between command and reply
 };

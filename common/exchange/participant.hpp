@@ -25,8 +25,8 @@ struct Assignment {
   bool resumes = false;
 };
 
-/// A solver as the coupler sees it. Calls come in this order: join; insert (revision 0); then any number of advance,
-/// insert, report, save, restore; finish. Any of them may throw: the failure is sent to the coupler and the process
+/// A solver as the coupler sees it. Calls come in this order: join; insert (revision 0), or, of an Assignment that
+/// resumes, restore; then any number of advance, insert, report, save; finish. Any of them may throw: the failure is sent to the coupler and the process
 /// ends with the code of the Error.
 class Solver {
  public:

@@ -93,7 +93,7 @@ class Worker {
         monitor_(run.reading.value),
         socket_(run.directory),
         run_id_(random_run_id()),
-        trio_(trio_options(), run_id_, status) {}
+        trio_(trio_options(), run_id_, 0, status) {}
 
   int execute() {
     try {
@@ -126,7 +126,7 @@ class Worker {
   void start() {
     status_.show(0, "start");
     const nlohmann::json run_case = case_to_json(run_.reading.value);
-    trio_.start(run_case);
+    trio_.start(run_case, Start::fresh);
     record_.begin(
         {hexadecimal(run_id_),
          run_.reading.value.title,

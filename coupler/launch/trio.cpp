@@ -29,21 +29,23 @@ std::string hexadecimal(const RunId& run) {
 
 }  // namespace
 
-Trio::Trio(const TrioOptions& options, const RunId& run, StatusPage& status)
-    : options_(options), status_(status), channel_(options.endpoint, run, 0), run_id_(hexadecimal(run)) {
+Trio::Trio(const TrioOptions& options, const RunId& run, std::uint32_t epoch, StatusPage& status)
+    : options_(options), status_(status), channel_(options.endpoint, run, epoch), run_id_(hexadecimal(run)) {
   participants_[0].role = Role::structure;
   participants_[1].role = Role::network;
 }
 
 Trio::~Trio() = default;
 
-void Trio::start(const nlohmann::json& run_case) {
+void Trio::start(const nlohmann::json& run_case, Start start) {
   run_case_ = run_case;
+  start_ = start;
   for (Participant& each : participants_) {
-    const std::string& command = options_.command[static_cast<std::size_t>(each.role)];
-    each.process.emplace(std::vector<std::string>{
-        "/bin/sh", "-c", fmt::format("exec {} --connect '{}'", command, channel_.endpoint())});
     each.last_word = Clock::now();
+    const std::optional<std::string>& command = options_.command[static_cast<std::size_t>(each.role)];
+    if (!command) continue;
+    each.process.emplace(std::vector<std::string>{
+        "/bin/sh", "-c", fmt::format("exec {} --connect '{}'", *command, channel_.endpoint())});
   }
   for (Participant& each : participants_)
     while (!each.peer) {
@@ -73,8 +75,8 @@ Message Trio::await(Role role, MessageType expected) {
   const Clock::time_point begin = Clock::now();
   while (!source.answer) {
     handle_next_event(tick);
-    // Meshing comes between WELCOME and TOPOLOGY.
-    const bool joining = expected == MessageType::topology;
+    // Meshing comes between WELCOME and TOPOLOGY or RESTORED.
+    const bool joining = expected == MessageType::topology || expected == MessageType::restored;
     if (!source.answer) check_silence(source, joining ? options_.deadlines.join : options_.deadlines.progress);
   }
   source.waited += since(begin);
@@ -98,6 +100,7 @@ std::array<nlohmann::json, 2> Trio::finish() {
     figures[static_cast<std::size_t>(role)] =
         await(role, MessageType::bye).body.value("figures", nlohmann::json::object());
   for (Participant& each : participants_) {
+    if (!each.process) continue;
     const ProcessEnd end = each.process->wait_or_kill(options_.deadlines.finish);
     if (end.signal || end.exit_code != 0)
       fail(ExitCode::participant_died, each, "said BYE, then " + end.sentence());
@@ -108,7 +111,7 @@ std::array<nlohmann::json, 2> Trio::finish() {
 void Trio::abort(const std::string& reason) {
   ending_ = true;
   for (Participant& each : participants_) {
-    if (!each.process || each.process->end() || !each.peer) continue;
+    if (!each.peer || (each.process && each.process->end())) continue;
     Message message(MessageType::fail);
     message.body = {{"role", "coupler"}, {"phase", status_.phase()}, {"reason", reason}, {"exit_code", 0}};
     try {
@@ -136,8 +139,8 @@ void Trio::handle_next_event(Seconds patience) {
   } else if (auto* lost = std::get_if<CouplerChannel::PeerLost>(&event)) {
     for (Participant& each : participants_) {
       if (each.peer != lost->peer || each.said_bye) continue;
-      if (each.process->wait(farewell)) watch_processes();
-      if (each.process->stopped()) fail(ExitCode::participant_unresponsive, each, "is stopped by a signal");
+      if (each.process && each.process->wait(farewell)) watch_processes();
+      if (each.process && each.process->stopped()) fail(ExitCode::participant_unresponsive, each, "is stopped by a signal");
       fail(ExitCode::participant_died, each, "closed its connection");
     }
   } else {
@@ -189,6 +192,7 @@ void Trio::greet(PeerNumber peer, const Message& hello) {
     Message welcome(MessageType::welcome);
     welcome.body = {{"run_id", run_id_},
                     {"case", run_case_},
+                    {"resumes", start_ == Start::resuming},
                     {"threads", each.role == Role::structure ? options_.threads : 1},
                     {"coupler_deadline", options_.deadlines.progress}};
     channel_.send(peer, std::move(welcome));
@@ -244,7 +248,7 @@ void Trio::keep_alive() {
   if (now < next_keep_alive_) return;
   next_keep_alive_ = now + std::chrono::duration_cast<Clock::duration>(keep_alive_interval);
   for (Participant& each : participants_) {
-    if (!each.peer || each.said_bye || each.process->end()) continue;
+    if (!each.peer || each.said_bye || (each.process && each.process->end())) continue;
     Message progress(MessageType::progress);
     progress.body = {{"phase", status_.phase()}, {"count", status_.beats()}};
     try {

@@ -25,10 +25,14 @@ struct ParticipantFailure : Error {
 
 struct TrioOptions {
   std::string endpoint;                   ///< to bind, ipc://... or tcp://127.0.0.1:*
-  std::array<std::string, 2> command;     ///< shell command of each Role; `--connect ENDPOINT` is appended
+  /// Shell command of each Role; `--connect ENDPOINT` is appended. Nothing: somebody else starts that participant, and it is awaited.
+  std::array<std::optional<std::string>, 2> command;
   int threads = 1;                        ///< of the structure
   Deadlines deadlines;
 };
+
+/// Where a run begins: at time 0, or at a checkpoint that RESTORE brings next.
+enum class Start { fresh, resuming };
 
 /// What a participant said of itself.
 struct ParticipantIdentity {
@@ -40,11 +44,13 @@ struct ParticipantIdentity {
 /// ParticipantFailure naming the participant, what it was asked, and the cause.
 class Trio {
  public:
-  Trio(const TrioOptions& options, const RunId& run, StatusPage& status);
+  /// @param epoch  how often the run has been resumed
+  Trio(const TrioOptions& options, const RunId& run, std::uint32_t epoch, StatusPage& status);
   ~Trio();
 
-  /// Starts both participants and gives them the case. Returns when both have said HELLO.
-  void start(const nlohmann::json& run_case);
+  /// Starts or awaits both participants and gives them the case. Returns when both have said HELLO. Next comes, from Start::fresh, the
+  /// structure's TOPOLOGY; from Start::resuming, RESTORE to both.
+  void start(const nlohmann::json& run_case, Start start);
 
   [[nodiscard]] const ParticipantIdentity& identity(Role role) const { return participant(role).identity; }
 
@@ -100,6 +106,7 @@ class Trio {
   CouplerChannel channel_;
   std::array<Participant, 2> participants_;
   nlohmann::json run_case_;
+  Start start_ = Start::fresh;
   std::string run_id_;
   Clock::time_point next_keep_alive_{};
   bool ending_ = false;

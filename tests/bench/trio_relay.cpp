@@ -105,8 +105,8 @@ coupler::TrioOptions options(const std::string& endpoint, const std::string& pro
 }  // namespace
 
 TrioRelay::TrioRelay(const std::string& endpoint, const std::string& program)
-    : trio_(options(endpoint, program), RunId{1}, status_) {
-  trio_.start(nlohmann::json::object());
+    : trio_(options(endpoint, program), RunId{1}, 0, status_) {
+  trio_.start(nlohmann::json::object(), coupler::Start::fresh);
   const Message topology = trio_.await(Role::structure, MessageType::topology);
   for (const Role role : {Role::structure, Role::network}) {
     Message insert(MessageType::insert);
