@@ -11,11 +11,15 @@
 #include "coupler/cli/report_command.hpp"
 #include "coupler/cli/run_command.hpp"
 #include "coupler/cli/seismicity_command.hpp"
+#include "coupler/cli/status_command.hpp"
+#include "coupler/cli/stop_command.hpp"
 
 namespace {
 
 using fissura::CaseSource;
 using fissura::ExitCode;
+using fissura::coupler::StatusForm;
+using fissura::coupler::StopTime;
 
 void add_case_options(CLI::App& command, CaseSource& source, bool& short_form) {
   command.add_option("CASE", source.path, "case folder, or its case.toml")->required();
@@ -89,11 +93,28 @@ int main(int argc, char** argv) {
       program.add_subcommand("seismicity", "makes the catalogue of seismic events of a run again");
   add_seismicity_options(*seismicity, seismicity_options);
 
+  bool as_json = false;
+  CLI::App* status = program.add_subcommand("status", "what a run is doing, or how it ended");
+  status->add_option("RUN", run_directory, "run directory")->required();
+  status->add_flag("--json", as_json, "prints it as JSON");
+
+  bool now = false;
+  double patience = 60;
+  CLI::App* stop = program.add_subcommand("stop", "ends a run at its next coupling time, with a checkpoint");
+  stop->add_option("RUN", run_directory, "run directory")->required();
+  stop->add_flag("--now", now, "at once, without a checkpoint");
+  stop->add_option("--wait", patience, "seconds to wait for the end")->capture_default_str()->check(CLI::Range(0.0, 1e6));
+
   try {
     program.parse(argc, argv);
     if (short_form) options.source.variants.emplace_back("short");
     if (run->parsed()) return fissura::coupler::run_command(options);
     if (report->parsed()) return fissura::coupler::report_command(run_directory, page);
+    if (status->parsed())
+      return fissura::coupler::status_command(run_directory, as_json ? StatusForm::json : StatusForm::text);
+    if (stop->parsed())
+      return fissura::coupler::stop_command(
+          run_directory, now ? StopTime::at_once : StopTime::next_coupling_time, patience);
     if (seismicity->parsed()) return fissura::coupler::seismicity_command(seismicity_options);
     return fissura::coupler::check_command(options.source, picture);
   } catch (const CLI::ParseError& fault) {

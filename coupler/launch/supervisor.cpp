@@ -68,6 +68,12 @@ class Supervisor {
     ::setpgid(0, 0);
     pass_stop_signals_to(status_);
     requests_.signals().restore_in_child();
+    status_.change([&](RunStatus& status) {
+      status.epoch = attempt.epoch;
+      status.started_at = monotonic_seconds();
+      status.started_time = status.time;
+      status.participants = {};
+    });
     const int code = work_(attempt);
     std::fflush(nullptr);
     status_.conclude(code);

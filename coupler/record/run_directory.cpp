@@ -53,11 +53,16 @@ constexpr std::array our_entries{"run.json",
   throw Error(ExitCode::precondition, sentence);
 }
 
-std::string holder_of(const fs::path& lock) {
+long pid_in(const fs::path& lock) {
   std::ifstream stream(lock);
   long pid = 0;
-  if (stream >> pid) return fmt::format("pid {}", pid);
-  return "another process";
+  stream >> pid;
+  return pid;
+}
+
+std::string holder_of(const fs::path& lock) {
+  const long pid = pid_in(lock);
+  return pid > 0 ? fmt::format("pid {}", pid) : "another process";
 }
 
 [[noreturn]] void refuse_taken(const fs::path& directory) {
@@ -130,6 +135,18 @@ void RunDirectory::check(const fs::path& directory) {
   } catch (const fs::filesystem_error& error) {
     refuse(fmt::format("cannot read the run directory {}: {}", directory.string(), error.code().message()));
   }
+}
+
+std::optional<long> RunDirectory::holder(const fs::path& directory) {
+  const fs::path lock = directory / lock_name;
+  const int descriptor = ::open(lock.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0 && errno == ENOENT)
+    refuse(fmt::format("{} is not a run directory: {}", directory.string(),
+                       fs::exists(directory) ? "it has no file named lock" : "it does not exist"));
+  if (descriptor < 0) refuse(fmt::format("cannot read {}: {}", lock.string(), std::strerror(errno)));
+  const bool taken = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return taken ? std::optional(pid_in(lock)) : std::nullopt;
 }
 
 RunDirectory::RunDirectory(const fs::path& directory) {

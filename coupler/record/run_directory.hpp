@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 namespace fissura::coupler {
 
@@ -12,6 +13,10 @@ class RunDirectory {
  public:
   /// Throws as the constructor would, as far as that can be told without creating or changing anything.
   static void check(const std::filesystem::path& directory);
+
+  /// Process that holds the run in `directory`; nothing if none does. Throws Error(precondition) if there is no run
+  /// directory of ours, or it cannot be read.
+  static std::optional<long> holder(const std::filesystem::path& directory);
 
   /// Creates the directory and its parents, or takes an empty one, or one with a finished run of ours
   /// (summary.json stands), whose files it removes; foreign files in it are left alone. Locks it. Throws
