@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace fissura::coupler {
@@ -18,10 +19,17 @@ struct Provenance {
   bool operator==(const Provenance&) const = default;
 };
 
+/// Why a run of `run` cannot go on from what `wrote` has written, in words to follow "it is"; nothing if it
+/// can. Threads may differ. Participants that `run` does not name are not compared: before the handshake
+/// nobody knows them.
+std::optional<std::string> mismatch(const Provenance& wrote, const Provenance& run);
+
 /// One file of a checkpoint.
 struct StateFile {
   std::uint64_t bytes = 0;
   std::string sha256;
+
+  bool operator==(const StateFile&) const = default;
 };
 
 /// MANIFEST.json: a checkpoint exists once its manifest does.
@@ -33,14 +41,17 @@ struct Manifest {
   std::uint64_t revision = 0;  ///< of the topology
   std::string topology_hash;
   std::map<std::string, StateFile> files;  ///< name of the state -> file NAME.state
+
+  bool operator==(const Manifest&) const = default;
 };
 
 /// The text of MANIFEST.json, closed by the SHA-256 of what stands before it: a changed bit anywhere is
 /// found.
 std::string manifest_text(const Manifest& manifest);
 
-/// Throws Error(checkpoint_unusable) saying what is wrong: not JSON, another schema, a hash that does not
-/// fit, a missing key.
+/// The inverse. Throws Error(checkpoint_unusable) saying
+/// what is wrong: a hash that does not fit, another schema, a missing key, a name of a state that is no plain
+/// word.
 Manifest manifest_from_text(const std::string& text);
 
 }  // namespace fissura::coupler

@@ -5,11 +5,17 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <span>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "common/errors.hpp"
+#include "common/hash.hpp"
 
 namespace fissura::coupler {
 
@@ -28,6 +34,24 @@ CheckedFile::CheckedFile(const std::filesystem::path& file)
   if (descriptor_ < 0) fail("create", path_);
 }
 
+CheckedFile::CheckedFile(const std::filesystem::path& file, const FileMark& mark)
+    : path_(file), descriptor_(::open(file.c_str(), O_WRONLY | O_CLOEXEC)), mark_(mark) {
+  if (descriptor_ < 0) fail("open", path_);
+  const auto end = static_cast<off_t>(mark.bytes);
+  if (::ftruncate(descriptor_, end) != 0 || ::lseek(descriptor_, end, SEEK_SET) != end) {
+    const int reason = errno;
+    ::close(std::exchange(descriptor_, -1));
+    errno = reason;
+    fail("shorten", path_);
+  }
+  try {
+    sync();
+  } catch (...) {
+    ::close(std::exchange(descriptor_, -1));
+    throw;
+  }
+}
+
 CheckedFile::~CheckedFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
@@ -35,10 +59,13 @@ CheckedFile::~CheckedFile() {
 CheckedFile::CheckedFile(CheckedFile&& other) noexcept
     : path_(std::move(other.path_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
-      buffer_(std::move(other.buffer_)) {}
+      buffer_(std::move(other.buffer_)),
+      mark_(other.mark_) {}
 
 void CheckedFile::append(std::string_view text) {
   buffer_ += text;
+  mark_.bytes += text.size();
+  mark_.crc32 = crc32(std::as_bytes(std::span(text)), mark_.crc32);
   if (buffer_.size() >= buffer_size) flush();
 }
 
@@ -63,6 +90,25 @@ void CheckedFile::sync() {
   if (::fsync(descriptor_) != 0) fail("sync", path_);
 }
 
+void check_mark(const std::filesystem::path& file, const FileMark& mark) {
+  const auto refuse = [&](const std::string& what) {
+    throw Error(ExitCode::checkpoint_unusable, fmt::format("{} {}", file.string(), what));
+  };
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) refuse("cannot be read");
+  std::vector<char> block(1 << 16);
+  FileMark found;
+  while (found.bytes < mark.bytes) {
+    stream.read(block.data(), static_cast<std::streamsize>(
+                                  std::min<std::uint64_t>(block.size(), mark.bytes - found.bytes)));
+    const auto count = static_cast<std::size_t>(stream.gcount());
+    if (count == 0) refuse(fmt::format("has {} bytes, {} were written", found.bytes, mark.bytes));
+    found.bytes += count;
+    found.crc32 = crc32(std::as_bytes(std::span(block).first(count)), found.crc32);
+  }
+  if (found != mark) refuse("is not what was written: its checksum differs");
+}
+
 void sync_to_disk(const std::filesystem::path& file_or_directory) {
   const int descriptor = ::open(file_or_directory.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) fail("open", file_or_directory);
@@ -80,10 +126,35 @@ void publish(const std::filesystem::path& part, const std::filesystem::path& fil
 
 void write_whole_file(const std::filesystem::path& file, std::string_view text) {
   const std::filesystem::path part = file.string() + ".part";
-  CheckedFile output(part);
-  output.append(text);
-  output.sync();
-  publish(part, file);
+  try {
+    CheckedFile output(part);
+    output.append(text);
+    output.sync();
+    publish(part, file);
+  } catch (const StorageError&) {
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    throw;
+  }
+}
+
+std::string read_whole_file(const std::filesystem::path& file) {
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) fail("open", file);
+  std::string text;
+  std::vector<char> block(1 << 16);
+  for (;;) {
+    const ssize_t count = ::read(descriptor, block.data(), block.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) {
+      const int reason = errno;
+      ::close(descriptor);
+      errno = reason;
+      if (count < 0) fail("read", file);
+      return text;
+    }
+    text.append(block.data(), static_cast<std::size_t>(count));
+  }
 }
 
 }  // namespace fissura::coupler
