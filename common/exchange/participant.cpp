@@ -11,6 +11,7 @@
 #include <limits>
 #include <new>
 #include <optional>
+#include <utility>
 
 #include "common/exchange/channel.hpp"
 #include "common/exchange/fault_point.hpp"
@@ -103,7 +104,9 @@ class Session {
       hear_coupler();
     });
     const bool resumes = answer.body.contains("resumes") && answer.value<bool>("resumes");
+    joining_ = true;
     solver_.join({answer.value<nlohmann::json>("case"), answer.value<int>("threads"), resumes});
+    joining_ = false;
     if (role_ == Role::structure && !resumes) send_first_topology();
   }
 
@@ -133,13 +136,18 @@ class Session {
         throw CouplerLost(ExitCode::participant_died, "the coupler is gone: its connection broke");
       Message* message = std::get_if<Message>(&event);
       if (message == nullptr) return;
-      if (const auto command = command_in(std::move(*message)))
+      auto command = command_in(std::move(*message));
+      if (!command) continue;
+      // The coupler does not hear when a solver has joined: its first command may be there before.
+      if (!joining_ || kept_)
         throw ProtocolError(fmt::format("{} came while the solver was at work", name(command->type)));
+      kept_ = std::move(command);
     }
   }
 
   /// The next command.
   Message receive() {
+    if (kept_) return *std::exchange(kept_, std::nullopt);
     Seconds waited{0};
     const Seconds patience{0.5};
     while (waited < deadline_) {
@@ -287,6 +295,8 @@ class Session {
   Seconds deadline_;
   FractureNetwork network_;
   bool proposed_ = false;  ///< an insertion that has not come yet
+  bool joining_ = false;
+  std::optional<Message> kept_;  ///< a command that came while the solver joined
   std::uint64_t interval_ = 0;
   double work_seconds_ = 0;  ///< wall time between command and reply
 };

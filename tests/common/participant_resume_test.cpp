@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
 
 #include "common/errors.hpp"
 #include "common/fracture_network/insertion_json.hpp"
@@ -27,7 +29,14 @@ Insertion second_node() {
 /// one.
 class CountingStructure : public Solver {
  public:
-  void join(const Assignment& assignment) override { resumes = assignment.resumes; }
+  void join(const Assignment& assignment) override {
+    resumes = assignment.resumes;
+    const auto end = std::chrono::steady_clock::now() + time_to_join;
+    while (std::chrono::steady_clock::now() < end) {
+      note_progress("mesh");
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
   Insertion first_topology() override {
     network.apply(first_node());
     return first_node();
@@ -49,6 +58,7 @@ class CountingStructure : public Solver {
   }
 
   bool resumes = false;
+  std::chrono::milliseconds time_to_join{0};
   FractureNetwork network;
 
  private:
@@ -109,6 +119,14 @@ TEST_CASE("a participant that resumes has the network and the state of the one t
   CHECK(restored.value<int>("intervals") == 1);
   CHECK(restored.revision == 1);
   CHECK(participant.request(command(MessageType::advance, 2, 1)).type == MessageType::response);
+}
+
+TEST_CASE("a first command that comes while the solver joins is carried out then", "[common][exchange]") {
+  CountingStructure structure;
+  structure.time_to_join = std::chrono::milliseconds(300);
+  LoneParticipant participant(Role::structure, structure, 1);
+  participant.welcome(true);
+  CHECK(participant.request(restore({first_node()}, {std::byte{3}})).value<int>("intervals") == 3);
 }
 
 TEST_CASE("a state is not saved between a proposal and its insertion", "[common][exchange]") {
