@@ -15,6 +15,7 @@
 
 #include "common/exchange/channel.hpp"
 #include "common/exchange/fault_point.hpp"
+#include "common/exchange/held_signals.hpp"
 #include "common/exchange/progress.hpp"
 #include "common/fracture_network/insertion_json.hpp"
 #include "common/log.hpp"
@@ -100,6 +101,7 @@ class Session {
       Message progress(MessageType::progress);
       progress.interval = interval_;
       progress.body = {{"phase", phase}, {"count", count}};
+      if (const std::optional<int> signal = held_signal()) progress.body["stop_signal"] = *signal;
       channel_.send(std::move(progress));
       hear_coupler();
     });
@@ -160,9 +162,20 @@ class Session {
         continue;
       }
       waited += patience;
+      pass_on_signal();
     }
     throw CouplerLost(ExitCode::participant_unresponsive,
                       fmt::format("the coupler has said nothing for {} s", deadline_.count()));
+  }
+
+  /// A signal that asks this process to end asks the run to end: the coupler does so at its next coupling time.
+  void pass_on_signal() {
+    const std::optional<int> signal = held_signal();
+    if (!signal) return;
+    Message progress(MessageType::progress);
+    progress.interval = interval_;
+    progress.body = {{"phase", last_phase()}, {"count", 0}, {"stop_signal", *signal}};
+    channel_.send(std::move(progress));
   }
 
   Next serve(Message command) {
@@ -329,6 +342,7 @@ int participant_main(Role role, int argc, char** argv, const char* solver_name, 
     log::start(name(role), level);
     // Ctrl-C reaches the whole terminal group; only the coupler decides what it means.
     std::signal(SIGINT, SIG_IGN);
+    hold_signals({SIGTERM, SIGHUP});
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     return run_participant(role, options, solver);
   } catch (const CLI::ParseError& fault) {

@@ -6,22 +6,13 @@
 
 #include <cstdio>
 
+#include "common/exchange/held_signals.hpp"
+
 namespace fissura::coupler {
 
 namespace {
 
 constexpr std::chrono::milliseconds one_press{250};
-
-StatusPage* page_of_worker = nullptr;
-
-bool is_ignored(int signal) {
-  struct sigaction action {};
-  return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
-}
-
-extern "C" void ask_for_end(int signal) {
-  page_of_worker->request_stop(signal);
-}
 
 }  // namespace
 
@@ -36,10 +27,6 @@ Signals::Signals() {
 
 Signals::~Signals() {
   ::close(descriptor_);
-  ::sigprocmask(SIG_SETMASK, &previous_, nullptr);
-}
-
-void Signals::restore_in_child() const {
   ::sigprocmask(SIG_SETMASK, &previous_, nullptr);
 }
 
@@ -74,13 +61,17 @@ void Requests::hear_stop(int signal) {
   status_.request_stop(signal);
 }
 
-void pass_stop_signals_to(StatusPage& status) {
-  page_of_worker = &status;
-  struct sigaction action {};
-  action.sa_handler = ask_for_end;
-  action.sa_flags = SA_RESTART;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-    if (!is_ignored(signal)) ::sigaction(signal, &action, nullptr);
+void hold_signals_of_worker() {
+  hold_signals({SIGINT, SIGTERM, SIGHUP, SIGUSR1});
+}
+
+void pass_on_signals(StatusPage& status) {
+  while (const std::optional<int> signal = held_signal()) {
+    if (*signal == SIGUSR1)
+      status.request_checkpoint();
+    else
+      status.request_stop(*signal);
+  }
 }
 
 }  // namespace fissura::coupler

@@ -20,8 +20,6 @@ class Signals {
   Signals(const Signals&) = delete;
   Signals& operator=(const Signals&) = delete;
 
-  /// In a forked child: the mask as it was before.
-  void restore_in_child() const;
   /// Readable when a signal has come.
   [[nodiscard]] int descriptor() const { return descriptor_; }
   /// The next signal that has come.
@@ -58,8 +56,11 @@ class Requests {
   Clock::time_point last_{};
 };
 
-/// In the worker: its own SIGINT, SIGTERM and SIGHUP (from a service manager that signals every process of a
-/// run) also ask for the end at the next coupling time. @pre `status` outlives the process
-void pass_stop_signals_to(StatusPage& status);
+/// In the worker, before anything else: its own signals (from a service manager that signals every process of
+/// a run) wait for pass_on_signals.
+void hold_signals_of_worker();
+
+/// In the worker, now and then: its own signals ask for what they would ask of the supervisor.
+void pass_on_signals(StatusPage& status);
 
 }  // namespace fissura::coupler

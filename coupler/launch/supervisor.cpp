@@ -66,8 +66,7 @@ class Supervisor {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() != supervisor_) ::_exit(static_cast<int>(ExitCode::participant_died));
     ::setpgid(0, 0);
-    pass_stop_signals_to(status_);
-    requests_.signals().restore_in_child();
+    hold_signals_of_worker();
     status_.change([&](RunStatus& status) {
       status.epoch = attempt.epoch;
       status.started_at = monotonic_seconds();

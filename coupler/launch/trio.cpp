@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <cstring>
 
 #include "common/log.hpp"
+#include "coupler/launch/signals.hpp"
 
 namespace fissura::coupler {
 
@@ -126,6 +128,7 @@ void Trio::abort(const std::string& reason) {
 
 void Trio::handle_next_event(Seconds patience) {
   status_.beat();
+  pass_on_signals(status_);
   std::vector<int> descriptors;
   for (Participant& each : participants_)
     if (each.process && !each.said_bye && !each.process->end()) descriptors.push_back(each.process->descriptor());
@@ -160,6 +163,7 @@ void Trio::handle(CouplerChannel::Received&& received) {
     each.last_word = Clock::now();
     if (message.type == MessageType::progress) {
       each.phase = message.body.value("phase", each.phase);
+      hear_stop_request(each, message);
     } else if (message.type == MessageType::fail) {
       each.phase = message.body.value("phase", each.phase);
       const int code = message.body.value("exit_code", static_cast<int>(ExitCode::internal));
@@ -174,6 +178,16 @@ void Trio::handle(CouplerChannel::Received&& received) {
     return;
   }
   log::warn(fmt::format("{} from an unknown peer was ignored", name(message.type)));
+}
+
+/// A participant that was told to end is still needed until the next coupling time.
+void Trio::hear_stop_request(const Participant& participant, const Message& progress) {
+  const auto told = progress.body.find("stop_signal");
+  if (told == progress.body.end() || status_.stop_signal() != 0) return;
+  const int signal = *told == SIGHUP ? SIGHUP : SIGTERM;
+  log::warn(fmt::format("{} was asked to end by signal {} ({}): the run ends at the next coupling time",
+                        name(participant.role), signal, ::strsignal(signal)));
+  status_.request_stop(signal);
 }
 
 void Trio::greet(PeerNumber peer, const Message& hello) {

@@ -92,6 +92,7 @@ class Trio {
 
   void handle_next_event(Seconds patience);
   void handle(CouplerChannel::Received&& received);
+  void hear_stop_request(const Participant& participant, const Message& progress);
   void greet(PeerNumber peer, const Message& hello);
   void reject(PeerNumber peer, const std::string& reason);
   void watch_processes();
