@@ -15,8 +15,10 @@ class LinearSolver::Implementation {
  public:
   Implementation() {
     klu_defaults(&common_);
-    common_.btf =
-        0;  // a block form may pivot off the diagonal, and with it the bits would depend on the history
+    // Always the diagonal. A pivot off it would be chosen by the values of the first factorisation and kept, and with it the
+    // bits would depend on the history: on whether the run was resumed since.
+    common_.btf = 0;
+    common_.tol = 0;
   }
   ~Implementation() { clear(); }
   Implementation(const Implementation&) = delete;

@@ -9,8 +9,8 @@
 namespace fissura::network {
 
 /// Sparse LU of the Jacobian (KLU, Davis and Palamadai Natarajan 2010). The ordering is made once per pattern
-/// and the pivots of the first factorisation are kept: columns are diagonally dominant, so the diagonal is a
-/// stable choice whatever the values.
+/// and the pivots are on the diagonal: columns are diagonally dominant, so it is a stable choice whatever the
+/// values, and the solution depends on pattern and values alone, not on what was solved before.
 class LinearSolver {
  public:
   enum class Outcome { solved, singular };
