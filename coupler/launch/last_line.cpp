@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <csignal>
 #include <string_view>
 
 #include "common/errors.hpp"
+#include "coupler/checkpoint/checkpoint_store.hpp"
 
 namespace fissura::coupler {
 
@@ -38,17 +38,8 @@ std::string name_of_code(int exit_code) {
 }
 
 std::optional<std::uint64_t> newest_checkpoint(const std::filesystem::path& run_directory) {
-  std::optional<std::uint64_t> newest;
-  std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(run_directory / "checkpoints", none)) {
-    const std::string folder = entry.path().filename().string();
-    std::uint64_t interval = 0;
-    const char* end = folder.data() + folder.size();
-    if (std::from_chars(folder.data(), end, interval).ptr != end) continue;
-    if (std::filesystem::exists(entry.path() / "MANIFEST.json", none))
-      newest = std::max(newest.value_or(0), interval);
-  }
-  return newest;
+  const std::vector<std::string> names = CheckpointStore(run_directory, 2).names();
+  return names.empty() ? std::nullopt : std::optional<std::uint64_t>(std::stoull(names.back()));
 }
 
 std::string place(const std::optional<std::uint64_t>& checkpoint) {
