@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "common/errors.hpp"
 #include "common/exchange/message.hpp"
+#include "common/exchange/role.hpp"
 #include "common/fracture_network/fracture_network.hpp"
 
 /// The participant's side of docs/protocol.md: one solver of the trio, driven by the coupler.
 namespace fissura {
-
-enum class Role { structure, network };
-
-/// "structure" or "network".
-const char* name(Role role);
 
 /// What WELCOME gives a participant.
 struct Assignment {

@@ -23,6 +23,8 @@ void set_progress_report(ProgressReport report) { installed_report = std::move(r
 
 const char* last_phase() { return phase_of_last_note; }
 
+void set_phase(const char* phase) { phase_of_last_note = phase; }
+
 void note_progress(const char* phase) {
   ++count;
   phase_of_last_note = phase;

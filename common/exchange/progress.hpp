@@ -11,7 +11,10 @@ using ProgressReport = std::function<void(const char* phase, unsigned long count
 /// Makes note_progress (participant.hpp) call `report` at most ten times a second; an empty function stops it.
 void set_progress_report(ProgressReport report);
 
-/// Phase given to the last note_progress, for failure messages.
+/// Names the phase that begins, without a report.
+void set_phase(const char* phase);
+
+/// Phase given to set_phase or the last note_progress, for failure messages.
 const char* last_phase();
 
 }  // namespace fissura
