@@ -147,10 +147,21 @@ struct Hdf5File::Handle {
     return properties;
   }
 
-  Identifier group_creating_links(const std::string& dataset) const {
-    Identifier links = own(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "set the properties of", dataset);
-    check(H5Pset_create_intermediate_group(links.id(), 1), "set the properties of", dataset);
-    return links;
+  void create_group(const std::string& group) const {
+    Identifier properties = timeless(H5P_GROUP_CREATE, group);
+    Identifier id = own(H5Gcreate2(file.id(), group.c_str(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Gclose,
+                        "create", group);
+    check(id.close(), "close", group);
+  }
+
+  /// The library would give groups that it creates on the way the time of day.
+  void create_groups_above(const std::string& object) const {
+    for (auto end = object.find('/', 1); end != std::string::npos; end = object.find('/', end + 1)) {
+      const std::string group = object.substr(0, end);
+      const htri_t exists = H5Lexists(file.id(), group.c_str(), H5P_DEFAULT);
+      check(exists, "look for", group);
+      if (exists == 0) create_group(group);
+    }
   }
 
   Identifier open_dataset(const std::string& dataset) const {
@@ -220,8 +231,8 @@ void Hdf5File::write(const std::string& dataset, const Array& array) {
   Identifier space = handle_->own(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr),
                                   H5Sclose, "describe", dataset);
   Identifier creation = handle_->creation_properties(extent, dataset);
-  Identifier links = handle_->group_creating_links(dataset);
-  Identifier id = handle_->own(H5Dcreate2(handle_->file.id(), dataset.c_str(), type, space.id(), links.id(),
+  handle_->create_groups_above(dataset);
+  Identifier id = handle_->own(H5Dcreate2(handle_->file.id(), dataset.c_str(), type, space.id(), H5P_DEFAULT,
                                           creation.id(), H5P_DEFAULT),
                                H5Dclose, "create", dataset);
   if (!array.bytes.empty())
@@ -232,12 +243,8 @@ void Hdf5File::write(const std::string& dataset, const Array& array) {
 }
 
 void Hdf5File::create_group(const std::string& group) {
-  Identifier links = handle_->group_creating_links(group);
-  Identifier properties = handle_->timeless(H5P_GROUP_CREATE, group);
-  Identifier id =
-      handle_->own(H5Gcreate2(handle_->file.id(), group.c_str(), links.id(), properties.id(), H5P_DEFAULT),
-                   H5Gclose, "create", group);
-  handle_->check(id.close(), "close", group);
+  handle_->create_groups_above(group);
+  handle_->create_group(group);
 }
 
 void Hdf5File::write_attribute(const std::string& object, const std::string& attribute, double value) {
