@@ -38,8 +38,12 @@ std::string name_of_code(int exit_code) {
 }
 
 std::optional<std::uint64_t> newest_checkpoint(const std::filesystem::path& run_directory) {
-  const std::vector<std::string> names = CheckpointStore(run_directory, 2).names();
-  return names.empty() ? std::nullopt : std::optional<std::uint64_t>(std::stoull(names.back()));
+  try {
+    const std::vector<std::string> names = CheckpointStore(run_directory, 2).names();
+    return names.empty() ? std::nullopt : std::optional<std::uint64_t>(std::stoull(names.back()));
+  } catch (const std::exception&) {
+    return std::nullopt;  // what cannot be listed cannot be resumed from either
+  }
 }
 
 std::string place(const std::optional<std::uint64_t>& checkpoint) {

@@ -5,12 +5,15 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <set>
 
 #include "common/errors.hpp"
+#include "common/exchange/stack_dump.hpp"
 #include "coupler/launch/child_process.hpp"
 #include "coupler/launch/last_line.hpp"
 #include "coupler/launch/process_tree.hpp"
@@ -51,7 +54,7 @@ class Supervisor {
     status_.begin_life();
     std::fflush(nullptr);
     const pid_t child = ::fork();
-    if (child < 0) throw Error(ExitCode::precondition, "cannot fork the worker");
+    if (child < 0) return cannot_fork();
     if (child == 0) be_the_worker(attempt);
     ::setpgid(child, child);
     ChildProcess worker(child);
@@ -62,11 +65,21 @@ class Supervisor {
     return end;
   }
 
+  [[nodiscard]] static WorkerEnd cannot_fork() {
+    WorkerEnd end;
+    end.exit_code = end.failure.exit_code = static_cast<int>(ExitCode::precondition);
+    end.failure.who = "coupler";
+    end.failure.phase = "start";
+    end.failure.sentence = fmt::format("cannot fork the worker: {}", std::strerror(errno));
+    return end;
+  }
+
   [[noreturn]] void be_the_worker(const Attempt& attempt) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() != supervisor_) ::_exit(static_cast<int>(ExitCode::participant_died));
     ::setpgid(0, 0);
     hold_signals_of_worker();
+    dump_stack_on_request();
     status_.change([&](RunStatus& status) {
       status.epoch = attempt.epoch;
       status.started_at = monotonic_seconds();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 
@@ -133,6 +134,7 @@ bool WorkerWatch::is_stuck() {
                  "coupler: warning: the worker has made no progress for %.3g s (interval %llu, phase %s)\n",
                  warning_part * deadline_, static_cast<unsigned long long>(status_.interval()),
                  status_.phase().c_str());
+    worker_.send_signal(SIGUSR2);  // it prints where it is
   }
   return since(last_beat_) > deadline_;
 }
