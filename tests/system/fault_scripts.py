@@ -258,7 +258,7 @@ def dies_while_resuming(cell, clean, home, played):
     if code != 20:
         raise RuntimeError(f"the first life ended with {code}: {first.errors[-300:]}")
     before = {path: path.read_bytes() for folder in checkpoints(home) for path in folder.iterdir()}
-    second = Watched([COUPLER, "resume", home.run, "--fault-plan", plan], home)
+    second = Watched([COUPLER, "resume", home.run], home, {"FISSURA_FAULT_PLAN": str(plan)})
     finish(second, cell, clean, home, played)
     if {path: path.read_bytes() for folder in checkpoints(home) for path in folder.iterdir()} != before:
         played.wrong("bytes", "the checkpoints are not those of before")
