@@ -165,6 +165,27 @@ std::uint64_t TableReader::natural_number(std::string_view key, std::uint64_t fa
   return fallback;
 }
 
+std::optional<std::uint64_t> TableReader::natural_number_or_every(std::string_view key,
+                                                                  std::optional<std::uint64_t> fallback) {
+  const SourceValue* value = find(key);
+  if (value == nullptr) return fallback;
+  const auto* whole = std::get_if<std::int64_t>(&value->content);
+  if (whole != nullptr && *whole >= 0) return static_cast<std::uint64_t>(*whole);
+  const auto* text = std::get_if<std::string>(&value->content);
+  if (text != nullptr && *text == "every") return std::nullopt;
+  report(*value, path_of(key), "a whole number at least 0, or \"every\"", "");
+  return fallback;
+}
+
+double TableReader::any_number(std::string_view key) {
+  const SourceValue* value = require(key, "a number");
+  if (value == nullptr) return unreadable;
+  if (const auto* real = std::get_if<double>(&value->content)) return *real;
+  if (const auto* integer = std::get_if<std::int64_t>(&value->content)) return static_cast<double>(*integer);
+  report(*value, path_of(key), "a number", "");
+  return unreadable;
+}
+
 bool TableReader::flag(std::string_view key, bool fallback) {
   const SourceValue* value = find(key);
   if (value == nullptr) return fallback;

@@ -52,6 +52,12 @@ class TableReader {
   int count(std::string_view key, const Range& range, int fallback);
   std::uint64_t natural_number(std::string_view key, std::uint64_t fallback);
 
+  /// Bare whole number, or the word "every", which reads as nothing; a missing or faulty one as the fallback.
+  std::optional<std::uint64_t> natural_number_or_every(std::string_view key,
+                                                       std::optional<std::uint64_t> fallback);
+  /// Bare number; `nan` and `inf` are numbers here.
+  double any_number(std::string_view key);
+
   bool flag(std::string_view key, bool fallback);
 
   /// Text, not empty.

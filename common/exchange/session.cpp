@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <limits>
 #include <new>
 #include <utility>
@@ -24,14 +25,20 @@ struct CouplerLost : Error {
   using Error::Error;
 };
 
-void spoil(Message& message) {
+void spoil(Message& message, const Spoil& spoil) {
   for (Array& array : message.arrays) {
-    if (array.dtype != "float64" || array.bytes.empty()) continue;
-    const double poison = std::numeric_limits<double>::quiet_NaN();
-    const auto* bytes = reinterpret_cast<const std::byte*>(&poison);
-    std::copy(bytes, bytes + sizeof(poison), array.bytes.begin());
+    const bool meant = spoil.field.empty() || array.name == spoil.field;
+    double value = 0;
+    if (!meant || array.dtype != "float64" || array.bytes.size() / sizeof(value) <= spoil.index) continue;
+    std::byte* place = array.bytes.data() + spoil.index * sizeof(value);
+    std::memcpy(&value, place, sizeof(value));
+    const double opposite = value == 0 ? -1.0 : -std::abs(value);
+    value = spoil.how == FaultAction::nan ? std::numeric_limits<double>::quiet_NaN() : opposite;
+    std::memcpy(place, &value, sizeof(value));
     return;
   }
+  log::warn(
+      fmt::format("nothing to spoil: the reply has no value {} in \"{}\"", spoil.index, spoil.field));
 }
 
 /// Adds the wall time of its life to a sum.
@@ -61,7 +68,6 @@ Session::Session(Role role, const ParticipantOptions& options, Solver& solver)
       options_(options),
       solver_(solver),
       channel_(options.endpoint),
-      fault_(fault_plan_of_environment(name(role))),
       deadline_(options.coupler_deadline) {}
 
 Session::~Session() {
@@ -70,6 +76,7 @@ Session::~Session() {
 
 int Session::run() {
   try {
+    arm_planned_faults(name(role_));
     greet();
     while (state_ != ParticipantState::leaving && state_ != ParticipantState::ended) take(next_message());
     wait_for_release();
@@ -227,8 +234,9 @@ std::optional<Word> Session::work(ParticipantAction action, const Message& comma
 }
 
 /// Every phase of a participant begins here: hello, the names of the actions that are work, and answer.
-void Session::begin_phase(const char* phase) {
+std::optional<Spoil> Session::begin_phase(const char* phase) {
   set_phase(phase);
+  return fault_point(phase, interval_);
 }
 
 std::optional<Word> Session::join(const Message& welcome) {
@@ -259,9 +267,7 @@ Word Session::insert(const Message& command) {
 
 Word Session::advance(const Message& command) {
   require_revision(command);
-  const bool poisoned = fault_point(fault_, interval_);
   Message answer = solver_.advance(command);
-  if (poisoned) spoil(answer);
   return reply(role_ == Role::network ? MessageType::pressure : MessageType::response, std::move(answer));
 }
 
@@ -309,7 +315,8 @@ Message Session::network_and_state() {
 }
 
 Word Session::reply(MessageType type, Message message) {
-  begin_phase("answer");
+  const std::optional<Spoil> spoilt = begin_phase("answer");
+  if (spoilt) spoil(message, *spoilt);
   message.type = type;
   message.interval = interval_;
   message.revision = network_.empty() ? 0 : network_.revision();

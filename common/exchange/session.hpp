@@ -6,9 +6,9 @@
 
 #include "common/errors.hpp"
 #include "common/exchange/channel.hpp"
-#include "common/exchange/fault_point.hpp"
 #include "common/exchange/participant.hpp"
 #include "common/exchange/protocol_table.hpp"
+#include "common/faults/fault_point.hpp"
 #include "common/fracture_network/fracture_network.hpp"
 
 namespace fissura {
@@ -36,7 +36,7 @@ class Session {
   [[noreturn]] void refuse(Word word, ProtocolFault fault) const;
   std::optional<Word> carry_out(ParticipantAction action, Message message);
   std::optional<Word> work(ParticipantAction action, const Message& command);
-  void begin_phase(const char* phase);
+  std::optional<Spoil> begin_phase(const char* phase);
 
   std::optional<Word> join(const Message& welcome);
   Word insert(const Message& command);
@@ -57,7 +57,6 @@ class Session {
   Solver& solver_;
   ParticipantChannel channel_;
   ParticipantState state_ = ParticipantState::greeting;
-  std::optional<FaultPlan> fault_;
   Seconds deadline_;
   FractureNetwork network_;
   std::optional<Message> kept_;  ///< a command that came while the solver joined

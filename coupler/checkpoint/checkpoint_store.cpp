@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "common/errors.hpp"
+#include "common/faults/fault_point.hpp"
 #include "common/hash.hpp"
 #include "coupler/record/checked_file.hpp"
 
@@ -58,6 +59,7 @@ void remove_folder(const fs::path& folder) {
 }
 
 void rename_folder(const fs::path& from, const fs::path& to) {
+  if (const int error = injected_error(StorageCall::rename)) fail("rename", from, std::strerror(error));
   if (::rename(from.c_str(), to.c_str()) != 0) fail("rename", from, std::strerror(errno));
 }
 
@@ -123,11 +125,13 @@ void CheckpointStore::prepare(Checkpoint checkpoint) {
     create_folder(part);
     checkpoint.manifest.files.clear();
     for (const auto& [state, bytes] : checkpoint.states) {
+      fault_point(FaultPhase::checkpoint_prepare, checkpoint.manifest.interval);
       write_file(part / (state + ".state"), bytes);
       checkpoint.manifest.files[state] = {bytes.size(), sha256(bytes)};
     }
     sync_to_disk(part);
     const std::string manifest = manifest_text(checkpoint.manifest);
+    fault_point(FaultPhase::checkpoint_prepare, checkpoint.manifest.interval);
     write_file(part / manifest_name, std::as_bytes(std::span(manifest)));
     sync_to_disk(part);
     prepared_ = name;
@@ -144,6 +148,7 @@ void CheckpointStore::commit() {
   const std::string name = std::exchange(prepared_, {});
   const fs::path part = folder_ / (name + ".part"), place = folder_ / name;
   try {
+    fault_point(FaultPhase::checkpoint_commit);
     // The same interval again, after the run went on from an older checkpoint or has stopped twice.
     if (fs::exists(place) && !exchange(part, place)) {
       rename_folder(place, folder_ / suffixed(folder_, name, ".unusable"));
@@ -152,6 +157,7 @@ void CheckpointStore::commit() {
       rename_folder(part, place);
     }
     sync_to_disk(folder_);
+    fault_point(FaultPhase::checkpoint_commit);
   } catch (const StorageError&) {
     std::error_code ignored;
     fs::remove_all(part, ignored);

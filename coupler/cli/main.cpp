@@ -73,7 +73,9 @@ int main(int argc, char** argv) {
   run->add_option("--threads", options.threads, "threads of the structure; every core if not given")
       ->check(CLI::Range(1, 1024));
   run->add_option("--until", options.until, "an earlier end, e.g. \"2 s\"; without a verdict");
-  run->add_option("--fault", options.fault, "injects a fault: ROLE@INTERVAL=kill|stop|spin|fail|exit|nan");
+  run->add_option("--fault", options.fault, "injects a fault: ROLE@INTERVAL=kill, stop, spin, fail, exit, nan, ...");
+  run->add_option("--fault-plan", options.fault_plan, "injects the faults of this file (docs/operation.md)")
+      ->type_name("FILE");
   run->add_flag("--json", options.json, "prints the summary as JSON");
 
   CLI::App* check = program.add_subcommand("check", "every fault of a case, or what follows from it");

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "common/case/units.hpp"
-#include "common/exchange/fault_point.hpp"
+#include "common/faults/process_fault.hpp"
 #include "coupler/cli/run_worker.hpp"
 #include "coupler/launch/supervisor.hpp"
 #include "coupler/record/run_directory.hpp"
@@ -57,6 +57,19 @@ double end_of_run(const RunOptions& options, const Case& run_case) {
   return until;
 }
 
+/// Every process of the run finds its part of the plan in the environment.
+void announce_faults(const RunOptions& options, const PreparedRun& run) {
+  if (options.fault) {
+    std::fprintf(stderr, "warning: a fault will be injected: %s\n", options.fault->c_str());
+    ::setenv("FISSURA_FAULT", options.fault->c_str(), 1);
+  }
+  if (run.fault_plan_file) {
+    std::fprintf(stderr, "warning: faults will be injected: %zu in processes and %zu in messages, as %s says\n",
+                 run.fault_plan.processes.size(), run.fault_plan.messages.size(), run.fault_plan_file->c_str());
+    ::setenv("FISSURA_FAULT_PLAN", run.fault_plan_file->c_str(), 1);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> probe_names(const Case& run_case) {
@@ -66,8 +79,12 @@ std::vector<std::string> probe_names(const Case& run_case) {
 }
 
 PreparedRun prepare_run(const RunOptions& options) {
-  if (options.fault) (void)parse_fault_plan(*options.fault);
+  if (options.fault) (void)parse_process_fault(*options.fault);
   PreparedRun run;
+  if (options.fault_plan) {
+    run.fault_plan = read_fault_plan(*options.fault_plan);
+    run.fault_plan_file = std::filesystem::absolute(*options.fault_plan);
+  }
   run.reading = read_case(options.source);
   run.end = end_of_run(options, run.reading.value);
   const Expectations expectations = expectations_of(run.reading, options.source.variants);
@@ -88,10 +105,7 @@ int run_command(const RunOptions& options) {
   const PreparedRun run = prepare_run(options);
   for (const Fault& warning : run.reading.warnings)
     std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
-  if (options.fault) {
-    std::fprintf(stderr, "warning: a fault will be injected: %s\n", options.fault->c_str());
-    ::setenv("FISSURA_FAULT", options.fault->c_str(), 1);
-  }
+  announce_faults(options, run);
   // Threads of the structure that wait for each other long would keep the other two processes from the cores.
   ::setenv("GOMP_SPINCOUNT", "1000", 0);
   const RunDirectory directory(run.directory);

@@ -8,6 +8,7 @@
 
 #include "common/case/expected.hpp"
 #include "common/case/read_case.hpp"
+#include "coupler/faults/fault_plan.hpp"
 
 namespace fissura::coupler {
 
@@ -18,7 +19,8 @@ struct RunOptions {
   std::optional<std::string> network_command;      ///< default: the network beside this program
   std::optional<std::string> structure_command;
   std::optional<std::string> until;  ///< earlier end of the run, e.g. "2 s"
-  std::optional<std::string> fault;  ///< fault plan, see fault_point.hpp
+  std::optional<std::string> fault;                ///< one fault in short, see process_fault.hpp
+  std::optional<std::filesystem::path> fault_plan;
   int threads = 0;                   ///< of the structure; 0: every core
   bool json = false;                 ///< print summary.json instead of the table
   std::vector<std::string> command_line;
@@ -33,6 +35,8 @@ struct PreparedRun {
   std::string structure_command, network_command;
   int threads = 1;
   bool json = false;
+  std::optional<std::filesystem::path> fault_plan_file;  ///< absolute
+  FaultPlan fault_plan;
   std::vector<std::string> command_line;
 };
 

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "common/case/case_json.hpp"
+#include "common/faults/fault_point.hpp"
 #include "common/log.hpp"
 #include "coupler/cli/natural_fracture_files.hpp"
 #include "coupler/launch/supervisor.hpp"
@@ -103,12 +104,15 @@ class Worker {
       figures_.insertions = outcome.insertions;
       monitor_.conclude();
       status_.show(record_.history().size(), "finish");
+      fault_point(FaultPhase::finish, record_.history().size());
       take_figures(trio_.finish());
       return conclude(outcome.stop_signal);
     } catch (const ParticipantFailure& failure) {
       return fail(failure.code(), name(failure.role), failure.what());
     } catch (const Error& failure) {
       return fail(failure.code(), "coupler", failure.what());
+    } catch (const std::bad_alloc&) {
+      return fail(ExitCode::out_of_memory, "coupler", "out of memory");
     } catch (const std::exception& failure) {
       return fail(ExitCode::internal, "coupler", failure.what());
     }
@@ -125,6 +129,7 @@ class Worker {
 
   void start() {
     status_.show(0, "start");
+    fault_point(FaultPhase::start, 0);
     const nlohmann::json run_case = case_to_json(run_.reading.value);
     trio_.start(run_case, Start::fresh);
     record_.begin(
@@ -237,6 +242,7 @@ class Worker {
 int run_worker(const PreparedRun& run, StatusPage& status) {
   log::start("coupler");
   try {
+    arm_planned_faults("coupler");
     return Worker(run, status).execute();
   } catch (const Error& failure) {
     status.fail(failure_of(failure.code(), "coupler", 0, "start", failure.what()));

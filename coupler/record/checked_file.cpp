@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "common/errors.hpp"
+#include "common/faults/fault_point.hpp"
 #include "common/hash.hpp"
 
 namespace fissura::coupler {
@@ -25,6 +26,14 @@ constexpr std::size_t buffer_size = 1 << 16;
 
 [[noreturn]] void fail(const char* doing, const std::filesystem::path& file) {
   throw StorageError(fmt::format("cannot {} {}: {}", doing, file.string(), std::strerror(errno)));
+}
+
+/// The call about to be made fails if a fault plan says so.
+void obey_fault_plan(StorageCall call, const char* doing, const std::filesystem::path& file) {
+  if (const int error = injected_error(call)) {
+    errno = error;
+    fail(doing, file);
+  }
 }
 
 }  // namespace
@@ -70,6 +79,7 @@ void CheckedFile::append(std::string_view text) {
 }
 
 void CheckedFile::flush() {
+  obey_fault_plan(StorageCall::write, "write", path_);
   std::size_t written = 0;
   while (written < buffer_.size()) {
     const ssize_t count = ::write(descriptor_, buffer_.data() + written, buffer_.size() - written);
@@ -87,6 +97,7 @@ void CheckedFile::flush() {
 
 void CheckedFile::sync() {
   flush();
+  obey_fault_plan(StorageCall::sync, "sync", path_);
   if (::fsync(descriptor_) != 0) fail("sync", path_);
 }
 
@@ -110,6 +121,7 @@ void check_mark(const std::filesystem::path& file, const FileMark& mark) {
 }
 
 void sync_to_disk(const std::filesystem::path& file_or_directory) {
+  obey_fault_plan(StorageCall::sync, "sync", file_or_directory);
   const int descriptor = ::open(file_or_directory.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) fail("open", file_or_directory);
   const int result = ::fsync(descriptor);
@@ -120,6 +132,7 @@ void sync_to_disk(const std::filesystem::path& file_or_directory) {
 }
 
 void publish(const std::filesystem::path& part, const std::filesystem::path& file) {
+  obey_fault_plan(StorageCall::rename, "rename", part);
   if (::rename(part.c_str(), file.c_str()) != 0) fail("rename", part);
   sync_to_disk(file.parent_path());
 }

@@ -5,9 +5,11 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 #include "common/errors.hpp"
+#include "common/faults/fault_point.hpp"
 #include "coupler/record/checked_file.hpp"
 
 namespace fissura::coupler {
@@ -226,6 +228,9 @@ Hdf5File Hdf5File::open(const std::filesystem::path& file) {
 void Hdf5File::write(const std::string& dataset, const Array& array) {
   const hid_t type = type_of(array.dtype);
   ENSURE(type >= 0 && !array.shape.empty());
+  if (const int error = injected_error(StorageCall::write))
+    throw StorageError(
+        fmt::format("cannot write {} in {}: {}", dataset, handle_->path.string(), std::strerror(error)));
   ENSURE(array.bytes.size() == value_count(array.shape) * value_size(array.dtype));
   const std::vector<hsize_t> extent(array.shape.begin(), array.shape.end());
   Identifier space = handle_->own(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr),

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "common/errors.hpp"
+#include "common/faults/fault_point.hpp"
 #include "common/hash.hpp"
 #include "coupler/record/field_arrays.hpp"
 
@@ -159,6 +160,7 @@ void Segments::abandon_segment() {
 }
 
 void Segments::check_and_publish() {
+  fault_point(FaultPhase::segment);
   file_->close();
   const Hdf5File written = Hdf5File::open(part());
   const auto check = [&](const StoredArray& array) {
@@ -179,7 +181,9 @@ void Segments::check_and_publish() {
   std::error_code failure;
   const std::uintmax_t size = std::filesystem::file_size(part(), failure);
   if (failure) throw StorageError(fmt::format("cannot read {}: {}", part().string(), failure.message()));
+  fault_point(FaultPhase::segment);
   publish(part(), run_directory_ / "segments" / segment_name(segment_));
+  fault_point(FaultPhase::segment);
   append_to_index(hash, size);
 }
 

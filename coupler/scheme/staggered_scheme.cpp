@@ -8,6 +8,7 @@
 
 #include "common/coupling/interface_compliance.hpp"
 #include "common/errors.hpp"
+#include "common/faults/fault_point.hpp"
 #include "common/fracture_network/insertion_json.hpp"
 #include "coupler/scheme/fracture_extent.hpp"
 #include "coupler/seismicity/moment_tensor.hpp"
@@ -48,7 +49,6 @@ StaggeredScheme::StaggeredScheme(const Case& run_case, double end, Trio& trio, R
       record_(record),
       monitor_(monitor),
       status_(status),
-      fault_(fault_plan_of_environment("coupler")),
       clock_(end),
       interval_control_(run_case.coupling, edge_at_the_tips(run_case)),
       progress_(end),
@@ -94,7 +94,7 @@ CouplingInterval StaggeredScheme::next_interval() const {
 
 NetworkAnswer StaggeredScheme::advance_network_over(const CouplingInterval& interval) {
   status_.show(interval.index, "network");
-  fault_point(fault_, interval.index);
+  fault_point(FaultPhase::network, interval.index);
   const Coupling& coupling = case_.coupling;
   const StructureEstimate estimate =
       coupling.scheme == CouplingScheme::robin
@@ -108,6 +108,7 @@ NetworkAnswer StaggeredScheme::advance_network_over(const CouplingInterval& inte
 StructureResponse StaggeredScheme::advance_structure_over(const CouplingInterval& interval,
                                                           const NetworkAnswer& answer) {
   status_.show(interval.index, "structure");
+  fault_point(FaultPhase::structure, interval.index);
   const Coupling& coupling = case_.coupling;
   const std::vector<PressureRamp> ramps =
       coupling.scheme == CouplingScheme::robin
@@ -167,6 +168,7 @@ void StaggeredScheme::accept(const CouplingInterval& interval, const NetworkAnsw
 // One message to both: every participant acknowledges with the hash of its own network, or the run ends.
 void StaggeredScheme::insert(const Insertion& insertion) {
   status_.show(clock_.index(), "insertion");
+  fault_point(FaultPhase::insertion, clock_.index());
   network_.apply(insertion);
   const std::string expected = network_.topology_hash();
   for (const Role role : {Role::structure, Role::network}) {
@@ -208,6 +210,7 @@ bool StaggeredScheme::report_is_due(double time) const {
 
 void StaggeredScheme::report(const NetworkAnswer& answer) {
   status_.show(clock_.index(), "report");
+  fault_point(FaultPhase::report, clock_.index());
   ++reports_;
   for (const Role role : {Role::structure, Role::network}) {
     Message command(MessageType::report);

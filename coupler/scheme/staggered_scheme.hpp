@@ -7,7 +7,6 @@
 
 #include "common/case/case.hpp"
 #include "common/coupling/coupling_clock.hpp"
-#include "common/exchange/fault_point.hpp"
 #include "coupler/launch/status_page.hpp"
 #include "coupler/launch/trio.hpp"
 #include "coupler/record/run_record.hpp"
@@ -55,7 +54,6 @@ class StaggeredScheme {
   RunRecord& record_;
   SeismicMonitor& monitor_;
   StatusPage& status_;
-  std::optional<FaultPlan> fault_;
   CouplingClock clock_;
   IntervalControl interval_control_;
   ProgressLine progress_;
