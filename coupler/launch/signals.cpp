@@ -4,9 +4,8 @@
 #include <sys/signalfd.h>
 #include <unistd.h>
 
-#include <cstdio>
-
 #include "common/exchange/held_signals.hpp"
+#include "coupler/launch/tell.hpp"
 
 namespace fissura::coupler {
 
@@ -42,7 +41,7 @@ void Requests::hear() {
       hear_stop(*signal);
       continue;
     }
-    std::fputs("coupler: a checkpoint is written at the next coupling time\n", stderr);
+    tell("coupler: a checkpoint is written at the next coupling time");
     status_.request_checkpoint();
   }
 }
@@ -57,7 +56,7 @@ void Requests::hear_stop(int signal) {
     return;
   }
   asked_ = true;
-  std::fputs("coupler: stopping at the next coupling time (once more to stop at once)\n", stderr);
+  tell("coupler: stopping at the next coupling time (once more to stop at once)");
   status_.request_stop(signal);
 }
 

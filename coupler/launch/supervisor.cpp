@@ -19,6 +19,7 @@
 #include "coupler/launch/process_tree.hpp"
 #include "coupler/launch/run_report.hpp"
 #include "coupler/launch/signals.hpp"
+#include "coupler/launch/tell.hpp"
 #include "coupler/launch/worker_watch.hpp"
 #include "coupler/record/checked_file.hpp"
 
@@ -61,7 +62,7 @@ class Supervisor {
     const WorkerEnd end = WorkerWatch(status_, supervision_.deadline, requests_, worker).until_end();
     ::kill(-child, SIGKILL);
     if (!end_descendants(not_ours_))
-      std::fputs("coupler: warning: a process of the run cannot be ended: the kernel holds it\n", stderr);
+      tell("coupler: warning: a process of the run cannot be ended: the kernel holds it");
     return end;
   }
 
@@ -100,7 +101,7 @@ class Supervisor {
     if (!goes_on) return false;
     requests_.hear();
     if (requests_.end_asked() != 0) return false;
-    std::fprintf(stderr, "%s\n", healing_line(death).c_str());
+    tell(healing_line(death));
     return true;
   }
 
@@ -110,7 +111,7 @@ class Supervisor {
     const std::string line = complete ? "" : last_line(end.failure, supervision_.directory, checkpoint);
     write({end.exit_code, end.failure, line, checkpoint, epoch, healer_.deaths(), status_.read(),
            wall_seconds()});
-    if (!complete) std::fprintf(stderr, "%s\n", line.c_str());
+    if (!complete) tell(line);
     return end.exit_code;
   }
 
@@ -120,7 +121,7 @@ class Supervisor {
       write_whole_file(supervision_.directory / run_report_name,
                        run_report(supervision_.directory, end).dump(2) + "\n");
     } catch (const std::exception& fault) {
-      std::fprintf(stderr, "coupler: warning: %s is missing: %s\n", run_report_name, fault.what());
+      tell(fmt::format("coupler: warning: {} is missing: {}", run_report_name, fault.what()));
     }
   }
 

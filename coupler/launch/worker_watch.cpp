@@ -5,10 +5,10 @@
 #include <poll.h>
 
 #include <csignal>
-#include <cstdio>
 #include <cstring>
 
 #include "coupler/launch/memory_kills.hpp"
+#include "coupler/launch/tell.hpp"
 
 namespace fissura::coupler {
 
@@ -130,10 +130,8 @@ bool WorkerWatch::is_stuck() {
   }
   if (!warned_ && since(last_beat_) > warning_part * deadline_) {
     warned_ = true;
-    std::fprintf(stderr,
-                 "coupler: warning: the worker has made no progress for %.3g s (interval %llu, phase %s)\n",
-                 warning_part * deadline_, static_cast<unsigned long long>(status_.interval()),
-                 status_.phase().c_str());
+    tell(fmt::format("coupler: warning: the worker has made no progress for {} s (interval {}, phase {})",
+                     warning_part * deadline_, status_.interval(), status_.phase()));
     worker_.send_signal(SIGUSR2);  // it prints where it is
   }
   return since(last_beat_) > deadline_;
