@@ -23,7 +23,7 @@ RESUMING = {"structure": ("hello", "join", "restore"), "network": ("hello", "joi
 @dataclasses.dataclass(frozen=True)
 class End:
     """How a run must end."""
-    code: int
+    code: object           # or a regular expression of codes
     who: str = ""        # regular expressions of the last line
     says: str = ""
     interval: int = -1   # that the last line names; -1: any
@@ -100,7 +100,7 @@ def process_cells():
         for role in row.roles:
             for place, point, interval in points(role, row.phases):
                 yield Cell(row.name, f"{role} {place}", End(row.code, row.who or role, row.says, interval),
-                           faults=({"role": role, **point, **row.do},), within=row.within, needs=("--fault-plan", "resume"))
+                           faults=({"role": role, **point, **row.do},), within=row.within, needs=("--fault-plan",))
     for row in SURVIVED_ROWS:
         for role in row.roles:
             for place, point, _ in points(role, row.phases):
@@ -130,7 +130,7 @@ def together_cells():
                        if second == "kill" else
                        ({"role": "structure", "phase": "advance", "interval": interval, "do": "kill"},
                         {"role": "network", "phase": "advance", "interval": interval + 1, "do": second}),
-                       needs=("--fault-plan", "resume"))
+                       needs=("--fault-plan",))
 
 
 # A run is held at a point by stopping one of its processes there; then the signal comes, and the process goes on.
@@ -150,26 +150,26 @@ def signal_cells():
         held = (hold(role, place),)
         for name, code, says in supervisor:
             yield Cell(f"{name} to the coupler", f"held {role} {place}", End(code, "", says), faults=held, within=10,
-                       acts=(("stopped", role), ("signal", "supervisor", name), ("signal", role, "SIGCONT")), needs=("--fault-plan", "resume"))
+                       acts=(("stopped", role), ("signal", "supervisor", name), ("signal", role, "SIGCONT")), needs=("--fault-plan",))
         yield Cell("SIGINT twice", f"held {role} {place}", End(130, "", "at once"), faults=held, within=1,
                    acts=(("stopped", role), ("signal", "supervisor", "SIGINT"), ("wait", 0.4), ("signal", "supervisor", "SIGINT")),
-                   needs=("--fault-plan", "resume"))
+                   needs=("--fault-plan",))
         yield Cell("storm of SIGINT", f"held {role} {place}", End(130, "", "as asked"), faults=held, within=10,
-                   acts=(("stopped", role), ("storm", "supervisor", "SIGINT"), ("signal", role, "SIGCONT")), needs=("--fault-plan", "resume"))
+                   acts=(("stopped", role), ("storm", "supervisor", "SIGINT"), ("signal", role, "SIGCONT")), needs=("--fault-plan",))
         yield Cell("SIGUSR1", f"held {role} {place}", CLEAN, faults=held, resumes="no",
                    acts=(("stopped", role), ("signal", "supervisor", "SIGUSR1"), ("signal", role, "SIGCONT")), needs=("--fault-plan",))
         yield Cell("supervisor killed", f"held {role} {place}", End(137), faults=held, within=5,
-                   acts=(("stopped", role), ("signal", "supervisor", "SIGKILL")), needs=("--fault-plan", "resume"))
+                   acts=(("stopped", role), ("signal", "supervisor", "SIGKILL")), needs=("--fault-plan",))
         yield Cell("supervisor killed, others going on", f"held {role} {place}", End(137), faults=held, within=5,
-                   acts=(("stopped", role), ("signal", "supervisor", "SIGKILL"), ("signal", role, "SIGCONT")), needs=("--fault-plan", "resume"))
+                   acts=(("stopped", role), ("signal", "supervisor", "SIGKILL"), ("signal", role, "SIGCONT")), needs=("--fault-plan",))
         for other in ROLES:
             yield Cell("killed from outside", f"{other}, held {role} {place}", End(20, other, "killed by signal 9"), faults=held,
-                       acts=(("stopped", role), ("signal", other, "SIGKILL")), needs=("--fault-plan", "resume"))
+                       acts=(("stopped", role), ("signal", other, "SIGKILL")), needs=("--fault-plan",))
         for other in PARTICIPANTS:
             yield Cell("SIGTERM to a participant", f"{other}, held {role} {place}", End(143, "", ""), faults=held, within=10,
-                       acts=(("stopped", role), ("signal", other, "SIGTERM"), ("signal", role, "SIGCONT")), needs=("--fault-plan", "resume"))
+                       acts=(("stopped", role), ("signal", other, "SIGTERM"), ("signal", role, "SIGCONT")), needs=("--fault-plan",))
         yield Cell("illegal instruction", f"network, held {role} {place}", End(20, "network", "killed by signal 4"), faults=held,
-                   acts=(("stopped", role), ("signal", "network", "SIGILL"), ("signal", "network", "SIGCONT")), needs=("--fault-plan", "resume"))
+                   acts=(("stopped", role), ("signal", "network", "SIGILL"), ("signal", "network", "SIGCONT")), needs=("--fault-plan",))
 
 
 def value_cells():
@@ -186,7 +186,7 @@ def value_cells():
                     point = {**point, "interval": 2} if first else point
                     yield Cell(f"{how} in a reply", f"{role} {field or 'first array'} {place}", End(23, role, "", 2 if first else interval),
                                faults=({"role": role, **point, "do": how, **({"field": field} if field else {})},),
-                               needs=("--fault-plan", "resume"))
+                               needs=("--fault-plan",))
 
 
 def storage_cells():
@@ -197,7 +197,7 @@ def storage_cells():
             if do == "rename_error" and point["phase"] in ("report", "network") or do != "rename_error" and point["phase"] == "checkpoint-commit":
                 continue
             yield Cell(f"{do.replace('_', ' ')}", f"coupler {place}", End(25, "coupler", ""), faults=({"role": "coupler", **point, "do": do},),
-                       within=5, needs=("--fault-plan", "resume"))
+                       within=5, needs=("--fault-plan",))
 
 
 def script_cells():
@@ -243,8 +243,96 @@ def script_cells():
         yield cell("hostile peer", peer, CLEAN, "hostile_peer", peer, resumes="no", needs=("--fault-plan",))
 
 
+COMMANDS = ("WELCOME", "INSERT", "ADVANCE", "REPORT", "SAVE", "FINISH")
+REPLIES = {"structure": ("HELLO", "TOPOLOGY", "ACKNOWLEDGE", "RESPONSE", "FIELDS", "STATE", "BYE"),
+           "network": ("HELLO", "ACKNOWLEDGE", "PRESSURE", "FIELDS", "STATE", "BYE")}
+LATER_MESSAGE = {"ADVANCE": {"interval": 33}, "RESPONSE": {"interval": 33}, "PRESSURE": {"interval": 33}, "INSERT": {"occurrence": 5},
+                 "ACKNOWLEDGE": {"occurrence": 5}, "STATE": {"occurrence": 5}}
+
+
+@dataclasses.dataclass(frozen=True)
+class MessageRow:
+    """A fault on the way between the coupler and a participant."""
+    name: str
+    do: dict
+    code: str = "22"
+    says: str = ""
+    within: float = 0.5
+    types: tuple = ()    # only these
+    without: tuple = ()  # not these
+    exceptions: tuple = ()  # (type, code): where another end is right
+
+
+# The last word of a conversation: nothing comes after it that could tell.
+LAST_WORDS = ("FINISH", "BYE")
+LOST = "21|22"  # found by the next message of that direction, or by the deadline if none comes
+MESSAGE_ROWS = (
+    MessageRow("lost message", {"do": "drop"}, LOST, within=5),
+    MessageRow("message twice", {"do": "duplicate"}, "22", r"came twice|already|not expected|no answer|twice|again|state", without=("BYE", "FINISH")),
+    MessageRow("messages in another order", {"do": "swap"}, LOST, within=5, without=LAST_WORDS + ("HELLO",)),
+    MessageRow("late message", {"do": "delay", "seconds": 0.4}, "0"),
+    MessageRow("too late message", {"do": "delay", "seconds": 8}, "21", SILENT, within=6, types=("WELCOME", "ADVANCE", "INSERT", "RESPONSE", "PRESSURE",
+                                                                                      "ACKNOWLEDGE", "HELLO", "FINISH", "BYE", "STATE")),
+    MessageRow("clogged for a moment", {"do": "clog", "seconds": 0.4}, "0", types=("ADVANCE", "INSERT", "RESPONSE", "PRESSURE", "STATE", "BYE")),
+    MessageRow("cut short", {"do": "truncate"}, "22"),
+    MessageRow("envelope cut short", {"do": "truncate", "frame": 0, "bytes": 7}, "22"),
+    MessageRow("bit flipped in the envelope", {"do": "flip", "frame": 0, "bit": 200}, "22"),
+    MessageRow("bit flipped in the body", {"do": "flip", "frame": 1, "bit": 3}, "22"),
+    MessageRow("bit flipped at the end", {"do": "flip", "bit": 1}, "22"),
+    MessageRow("from another run", {"do": "restamp", "stamp": "run", "shift": 1}, "22", "another run|run", without=("HELLO", "WELCOME")),
+    MessageRow("from another epoch", {"do": "restamp", "stamp": "epoch", "shift": 1}, "22", "epoch", without=("HELLO", "WELCOME")),
+    MessageRow("sequence number gap", {"do": "restamp", "stamp": "sequence", "shift": 3}, "22", "lost"),
+    MessageRow("type unknown", {"do": "restamp", "stamp": "type", "value": 99}, "22", "type|99|UNKNOWN|unknown"),
+    MessageRow("type out of place", {"do": "restamp", "stamp": "type", "value": 42}, "22", "", without=("HELLO",)),
+    MessageRow("another major version", {"do": "restamp", "stamp": "major", "shift": 1}, "13|22", "version|protocol"),
+    MessageRow("a higher minor version", {"do": "restamp", "stamp": "minor", "shift": 1}, "0"),
+    MessageRow("for another topology", {"do": "restamp", "stamp": "revision", "shift": 1}, "22", "revision", types=("ADVANCE", "RESPONSE", "PRESSURE", "FIELDS", "ACKNOWLEDGE")),
+    MessageRow("for another interval", {"do": "restamp", "stamp": "interval", "shift": 1}, "22", "interval", types=("RESPONSE", "PRESSURE", "FIELDS", "ACKNOWLEDGE", "STATE")),
+    MessageRow("old message again", {"do": "replay", "back": 1}, "22", "", types=("ADVANCE", "RESPONSE", "PRESSURE", "INSERT", "ACKNOWLEDGE", "STATE")),
+    MessageRow("connection cut", {"do": "cut"}, "20|21", "connection|closed", within=1),
+    MessageRow("one direction dead", {"do": "half_open"}, LOST, within=5, types=("WELCOME", "ADVANCE", "INSERT", "RESPONSE", "PRESSURE", "ACKNOWLEDGE", "STATE", "SAVE")),
+    MessageRow("too large", {"do": "oversize", "bytes": 900_000_000}, "20|21|22", "", within=5, types=("ADVANCE", "RESPONSE", "PRESSURE", "HELLO", "STATE")),
+    MessageRow("nonsense before it", {"do": "nonsense", "bytes": 1000}, "22"),
+)
+ARRAYS = {"ADVANCE": {"network": ("aperture", "compliance"), "structure": ("pressure_begin", "pressure_end")},
+          "PRESSURE": {"network": ("pressure", "aperture_predicted", "filled")}, "RESPONSE": {"structure": ("aperture", "pressure_applied")},
+          "ACKNOWLEDGE": {"structure": ("aperture",)}}
+
+
+def message_slots(role):
+    """(place, words for the plan, type) for each kind of message of that participant, at its first time and later."""
+    for direction, types in (("to_participant", COMMANDS), ("to_coupler", REPLIES[role])):
+        for kind in types:
+            words = {"table": "message", "role": role, "direction": direction, "type": kind}
+            yield f"{role} {kind}", words, kind
+            if kind in LATER_MESSAGE:
+                yield f"{role} {kind} later", {**words, **LATER_MESSAGE[kind]}, kind
+
+
 def message_cells():
-    return ()
+    needs = ("--fault-plan", "program:fault_proxy")
+    for row in MESSAGE_ROWS:
+        for role in PARTICIPANTS:
+            for place, words, kind in message_slots(role):
+                if (row.types and kind not in row.types) or kind in row.without:
+                    continue
+                code = dict(row.exceptions).get(kind, row.code)
+                end = CLEAN if code == "0" else End(code, "structure|network|coupler", row.says)
+                yield Cell(row.name, place, end, faults=({**words, **row.do},), within=row.within, resumes="no" if code == "0" else "same bytes",
+                           needs=needs)
+    for role in PARTICIPANTS:
+        for place, words, kind in message_slots(role):
+            for field in ARRAYS.get(kind, {}).get(role, ()):
+                for name, value in (("not a number", "nan"), ("infinite", "inf"), ("absurd", "-1e9")):
+                    # A pressure far below zero, an aperture of minus a thousand kilometres, a filling or a compliance below zero.
+                    yield Cell(f"value on the way: {name}", f"{place} {field}", End("22|23", "structure|network|coupler", field.split("_")[0]),
+                               faults=({**words, "do": "poison", "field": field, "index": 0, "value": Bare(value)},), needs=needs)
+                yield Cell("array of another length", f"{place} {field}", End(22, "structure|network|coupler", ""),
+                           faults=({**words, "do": "resize", "field": field, "length": 3},), needs=needs)
+
+
+class Bare(str):
+    """A word of TOML that is no text."""
 
 
 def all_cells():

@@ -14,6 +14,7 @@ import argparse
 import collections
 import concurrent.futures
 import dataclasses
+import functools
 import json
 import os
 import re
@@ -42,9 +43,18 @@ class Played:
     gone: float = None       # s from the fault until nobody was left
     seconds: float = 0.0
     skipped: str = ""
+    resumed: bool = True
+
+    def code_fits(self):
+        return re.fullmatch(str(self.cell.end.code), str(self.code)) is not None
 
     def wrong(self, kind, words):
         self.problems.append((kind, words))
+
+
+@functools.cache
+def can_resume():
+    return has_command("resume")
 
 
 def do_acts(run, cell):
@@ -69,7 +79,7 @@ def judge_end(played, run, home):
     """Code, last line and report against what the cell must give."""
     cell = played.cell
     played.line = run.last_line[1]
-    if not re.fullmatch(str(cell.end.code), str(played.code)):
+    if not played.code_fits():
         played.wrong("code", f"{played.code} instead of {cell.end.code}: {played.line or run.errors[-400:]}")
         return
     if cell.end.code in (0, 137):
@@ -130,9 +140,12 @@ def play_run(cell, clean, home, played):
             played.wrong("socket", ", ".join(sockets))
     finally:
         run.clear()
-    if cell.resumes != "no" and cell.end.code not in (0,) and played.code == cell.end.code:
+    if cell.resumes != "no" and cell.end.code != 0 and played.code_fits():
         if not (home.run / "run.json").exists():
             return  # ended before there was a run to resume
+        played.resumed = can_resume()
+        if not played.resumed:
+            return
         problem = resume(home, clean)
         if problem:
             played.wrong("resume", problem)
@@ -193,11 +206,13 @@ def summary(all_played, seconds):
         print(f"{name:40} {cells:5d} {good:5d} {skipped:8d}  {f'{slowest:.2f} s' if slowest else ''}")
     for reason, number in collections.Counter(played.skipped for played in all_played if played.skipped).items():
         print(f"\nSKIPPED {number} cells: {reason}")
+    if unresumed := sum(not played.resumed for played in all_played):
+        print(f"\nNOT RESUMED {unresumed} cells: no coupler resume")
     skipped = sum(bool(played.skipped) for played in all_played)
     good = sum(not played.problems and not played.skipped for played in all_played)
     print(f"\n{len(all_played)} cells in {seconds:.0f} s: {good} as they must, {skipped} SKIPPED; " +
           ", ".join(f"{counts[kind]} {kind}" for kind in KINDS if counts[kind] or kind in ("hang", "orphan", "socket", "code")))
-    return 1 if good + skipped < len(all_played) else 3 if skipped else 0
+    return 1 if good + skipped < len(all_played) else 3 if skipped or unresumed else 0
 
 
 def main():
@@ -214,7 +229,7 @@ def main():
     cells = [cell for cell in cells if re.search(options.only, cell.name)]
     if options.list:
         for cell in cells:
-            print(f"{cell.end.code:3}  {cell.name}")
+            print(f"{cell.end.code!s:8}  {cell.name}")
         return 0
     lacking = missing(cells)
     clean = clean_run(**CHECKPOINTS) if has_command("resume") else clean_run()

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One program of the trio with a fault in it, watched from outside: who dies or stops when, what it says last, what it leaves behind."""
 import dataclasses
+import functools
 import hashlib
 import os
 import pathlib
@@ -44,7 +45,7 @@ def plan_text(faults):
         text += f"[[{fault.get('table', 'fault')}]]\n"
         for key, value in fault.items():
             if key != "table":
-                text += f"{key} = " + (f'"{value}"' if isinstance(value, str) else str(value).lower()) + "\n"
+                text += f"{key} = " + (f'"{value}"' if type(value) is str else str(value).lower()) + "\n"
     return text
 
 
@@ -270,11 +271,12 @@ def resume(home, clean, environment=None, patience=60):
     return f"after resume other bytes in {', '.join(wrong)}" if wrong else None
 
 
+@functools.cache
 def has_command(name):
-    """Whether this coupler knows the subcommand or the option of `run`."""
-    words = [COUPLER, "run", "--help"] if name.startswith("--") else [COUPLER, name, "--help"]
-    answer = subprocess.run(words, capture_output=True, text=True)
-    return answer.returncode == 0 and (not name.startswith("--") or name in answer.stdout)
+    """Whether this coupler knows the subcommand, or the option of `run`."""
+    words = [COUPLER, "run", "--help"] if name.startswith("--") else [COUPLER, "--help"]
+    told = subprocess.run(words, capture_output=True, text=True).stdout
+    return re.search(rf"^ +{re.escape(name)}\b", told, re.MULTILINE) is not None
 
 
 def has_program(name):
