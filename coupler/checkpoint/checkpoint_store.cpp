@@ -204,7 +204,8 @@ Checkpoint CheckpointStore::read(const std::string& name) const {
                        checkpoint.manifest.interval));
   for (const auto& [state, file] : checkpoint.manifest.files) {
     const fs::path path = place / (state + ".state");
-    const std::string content = read_file(path, [&](std::uintmax_t size) { return size == file.bytes; });
+    const std::string content =
+        read_file(path, [bytes = file.bytes](std::uintmax_t size) { return size == bytes; });
     const auto bytes = std::as_bytes(std::span(content));
     if (sha256(bytes) != file.sha256) refuse(fmt::format("{} is not what was written", path.string()));
     checkpoint.states[state].assign(bytes.begin(), bytes.end());

@@ -70,6 +70,8 @@ template <class... Cases>
 struct ColumnCases : Cases... {
   using Cases::operator()...;
 };
+template <class... Cases>
+ColumnCases(Cases...) -> ColumnCases<Cases...>;
 
 /// Whether the column says nothing beyond what the others and the context say.
 bool is_derived(const EventColumn& column);

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fuzz_seeds DIRECTORY: writes DIRECTORY/TARGET/NAME, sound inputs in the formats of this build.
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "common/case/case_json.hpp"
+#include "common/fracture_network/insertion_json.hpp"
+#include "coupler/checkpoint/manifest.hpp"
+#include "coupler/seismicity/catalogue/catalogue_csv.hpp"
+#include "coupler/seismicity/extraction.hpp"
+#include "network/network_solver.hpp"
+#include "tests/coupler/seismicity/sample_sources.hpp"
+#include "tests/fuzz/judged.hpp"
+#include "tests/fuzz/raw_frames.hpp"
+#include "tests/fuzz/sample_network.hpp"
+#include "tests/fuzz/small_rock.hpp"
+
+using namespace fissura;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path out;
+
+void write(const std::string& target, const std::string& name, std::span<const std::byte> bytes) {
+  fs::create_directories(out / target);
+  std::ofstream(out / target / name, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
+void write(const std::string& target, const std::string& name, const std::string& text) {
+  write(target, name, std::as_bytes(std::span(text)));
+}
+
+void write_message(const std::string& name, const Message& message) {
+  write("message", name, fuzz::bytes_of(fuzz::frames_of(encode(message, {{1, 2, 3}, 0, 7}))));
+}
+
+void write_messages() {
+  const FractureNetwork network = fuzz::network_of(fuzz::first_insertion(3));
+  write_message("pressure", fuzz::pressure_message(network));
+  write_message("response", fuzz::response_message(network));
+  write_message("advance", fuzz::advance_message(network, 0, 0.1));
+  Message insert(MessageType::insert);
+  insert.body["insertion"] = insertion_to_json(fuzz::growth(3));
+  write_message("insert", insert);
+  Message fail(MessageType::fail);
+  fail.body = {{"role", "network"}, {"phase", "newton"}, {"reason", "no convergence"}, {"exit_code", 24}};
+  write_message("fail", fail);
+}
+
+void write_network() {
+  const Insertion first = fuzz::first_insertion(5), second = fuzz::growth(5);
+  write("insertions", "two", nlohmann::json{insertion_to_json(first), insertion_to_json(second)}.dump());
+  network::NetworkSolver solver;
+  solver.join({case_to_json(fuzz::water_case()), 1, false});
+  (void)solver.insert(first);
+  write("network_state", "dry", solver.save());
+  FractureNetwork network = fuzz::network_of(first);
+  (void)solver.advance(fuzz::advance_message(network, 0, 0.1));
+  (void)solver.insert(second);
+  write("network_state", "grown", solver.save());
+}
+
+void write_rock() {
+  const structure::StructureModel model = fuzz::small_rock_model();
+  structure::Geometry geometry = structure::build_geometry(model);
+  const structure::Snapshot snapshot{
+      0.5, 12, {fuzz::first_insertion(5)}, structure::initial_state(model, geometry)};
+  write("structure_state", "of_the_case", structure::save_snapshot(snapshot, geometry));
+  geometry.number = 1;
+  write("structure_state", "with_geometry", structure::save_snapshot(snapshot, geometry));
+}
+
+void write_seismicity() {
+  using namespace coupler;
+  Extraction extraction(test::shale_controls());
+  const std::vector<SourceRecord> records = test::random_records(1, 3);
+  const std::vector<SeismicEvent> events = test::events_of(test::shale_controls(), records);
+  (void)extraction.advance(0.03, test::random_records(1, 3));
+  write("seismic_state", "open", extraction.save());
+  const CatalogueContext context{"12ab", "fuzz", "2026-01-01T00:00:00Z", test::shale_controls(), {}};
+  std::string table = csv_header();
+  for (std::size_t i = 0; i < std::min<std::size_t>(events.size(), 3); ++i)
+    table += csv_line(events[i], context);
+  write("run_tables", "catalogue", "=== catalogue.csv\n" + table);
+}
+
+void write_manifest() {
+  coupler::Manifest manifest;
+  manifest.provenance = {
+      "00ff", "ab12", "0.1.0 1234567", {{"structure", "t3 1"}, {"network", "newton 1"}}, 2};
+  manifest.interval = 42;
+  manifest.time = 1.0 / 3;
+  manifest.topology_hash = std::string(64, '7');
+  manifest.files = {{"structure", {123, std::string(64, 'a')}}, {"scheme", {0, std::string(64, 'b')}}};
+  write("manifest", "two_states", coupler::manifest_text(manifest));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "fuzz_seeds DIRECTORY\n";
+    return 2;
+  }
+  out = argv[1];
+  write_messages();
+  write_network();
+  write_rock();
+  write_seismicity();
+  write_manifest();
+  return 0;
+}
