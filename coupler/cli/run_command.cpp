@@ -12,6 +12,7 @@
 #include "common/case/units.hpp"
 #include "common/faults/process_fault.hpp"
 #include "coupler/cli/run_worker.hpp"
+#include "coupler/faults/proxy.hpp"
 #include "coupler/launch/supervisor.hpp"
 #include "coupler/record/run_directory.hpp"
 #include "coupler/verdict/verdict.hpp"
@@ -70,6 +71,14 @@ void announce_faults(const RunOptions& options, const PreparedRun& run) {
   }
 }
 
+/// A participant whose messages the plan spoils is run by a proxy.
+std::string relayed(const PreparedRun& run, const std::string& role, const std::string& command) {
+  if (!run.fault_plan.relays(role)) return command;
+  const std::filesystem::path transcript =
+      std::filesystem::absolute(run.directory) / fmt::format("fault_transcript_{}.jsonl", role);
+  return behind_proxy(sibling("fault_proxy"), *run.fault_plan_file, role, transcript, command);
+}
+
 }  // namespace
 
 std::vector<std::string> probe_names(const Case& run_case) {
@@ -92,8 +101,8 @@ PreparedRun prepare_run(const RunOptions& options) {
   if (!options.until) run.expectations = expectations;
   run.directory = options.directory.value_or(default_directory(run.reading, options.source.variants));
   RunDirectory::check(run.directory);
-  run.structure_command = options.structure_command.value_or(sibling("structure"));
-  run.network_command = options.network_command.value_or(sibling("network"));
+  run.structure_command = relayed(run, "structure", options.structure_command.value_or(sibling("structure")));
+  run.network_command = relayed(run, "network", options.network_command.value_or(sibling("network")));
   run.threads = options.threads > 0 ? options.threads
                                     : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   run.json = options.json;

@@ -79,6 +79,7 @@ class Supervisor {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() != supervisor_) ::_exit(static_cast<int>(ExitCode::participant_died));
     ::setpgid(0, 0);
+    ::setenv("FISSURA_EPOCH", std::to_string(attempt.epoch).c_str(), 1);  // for fault plans
     hold_signals_of_worker();
     dump_stack_on_request();
     status_.change([&](RunStatus& status) {
