@@ -17,6 +17,7 @@
 
 #include "common/errors.hpp"
 #include "common/faults/fault_point.hpp"
+#include "common/faults/fault_point.hpp"
 #include "common/hash.hpp"
 #include "coupler/record/checked_file.hpp"
 
@@ -65,6 +66,7 @@ void rename_folder(const fs::path& from, const fs::path& to) {
 
 /// Whether both have changed places; nothing has happened if the file system cannot do that.
 bool exchange(const fs::path& one, const fs::path& other) {
+  obey_fault_plan(one);
   if (::renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) == 0) return true;
   if (errno == EINVAL || errno == ENOSYS) return false;
   fail("rename", one, std::strerror(errno));

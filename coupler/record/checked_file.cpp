@@ -71,6 +71,14 @@ CheckedFile::CheckedFile(CheckedFile&& other) noexcept
       buffer_(std::move(other.buffer_)),
       mark_(other.mark_) {}
 
+CheckedFile& CheckedFile::operator=(CheckedFile&& other) noexcept {
+  std::swap(path_, other.path_);
+  std::swap(descriptor_, other.descriptor_);
+  std::swap(buffer_, other.buffer_);
+  std::swap(mark_, other.mark_);
+  return *this;
+}
+
 void CheckedFile::append(std::string_view text) {
   buffer_ += text;
   mark_.bytes += text.size();

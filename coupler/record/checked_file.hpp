@@ -27,7 +27,7 @@ class CheckedFile {
   /// Closes without a word: what was not flushed is lost.
   ~CheckedFile();
   CheckedFile(CheckedFile&& other) noexcept;
-  CheckedFile& operator=(CheckedFile&&) = delete;
+  CheckedFile& operator=(CheckedFile&& other) noexcept;
 
   /// Appends to the buffer, which is handed to the system when it is large.
   void append(std::string_view text);

@@ -2,6 +2,10 @@
 #include "coupler/record/event_log.hpp"
 
 #include <nlohmann/json.hpp>
+#include <span>
+#include <string_view>
+
+#include "common/hash.hpp"
 
 namespace fissura::coupler {
 
@@ -21,10 +25,17 @@ const char* name(EventLevel level) {
   return "unknown";
 }
 
+CheckedFile behind_last_line(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return CheckedFile(file);
+  const std::string text = read_whole_file(file);
+  const std::string_view whole = std::string_view(text).substr(0, text.rfind('\n') + 1);
+  return {file, {whole.size(), crc32(std::as_bytes(std::span(whole)))}};
+}
+
 }  // namespace
 
 EventLog::EventLog(const std::filesystem::path& file)
-    : file_(file), start_(std::chrono::steady_clock::now()) {}
+    : file_(behind_last_line(file)), start_(std::chrono::steady_clock::now()) {}
 
 void EventLog::add(const Event& event) {
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start_;

@@ -23,11 +23,11 @@ struct Event {
 };
 
 /// log.jsonl: one JSON object per line with `interval`, `time` [s], `wall` (seconds since the log was
-/// opened), `level`, `participant`, `event`, `text`. Every event is handed to the system at once, so that it
-/// survives our own death.
+/// opened, anew when a run goes on), `level`, `participant`, `event`, `text`. Every event is handed to the
+/// system at once, so that it survives our own death.
 class EventLog {
  public:
-  /// Creates the file. Throws StorageError.
+  /// Creates the file, or goes on behind the last whole line of one that is there. Throws StorageError.
   explicit EventLog(const std::filesystem::path& file);
 
   /// Throws StorageError.

@@ -7,12 +7,14 @@
 #include <nlohmann/json.hpp>
 
 #include "common/errors.hpp"
+#include "coupler/record/number_table.hpp"
 #include "coupler/record/recorded_scalars.hpp"
 
 namespace fissura::coupler {
 
 namespace {
 
+constexpr const char *history_name = "history.csv", *ledger_name = "ledger.csv";
 constexpr std::array<std::string_view, 10> ledger_columns{
     "interval",     "time",   "injected", "in_place", "found",
     "in_fractures", "leaked", "reset",    "residual", "relative_residual"};
@@ -50,7 +52,7 @@ void History::observe(const std::vector<std::string>& probes) {
 
 void History::write_to(const std::filesystem::path& directory) {
   write_whole_file(directory / "columns.json", columns_json());
-  tables_.emplace(Tables{CheckedFile(directory / "history.csv"), CheckedFile(directory / "ledger.csv")});
+  tables_.emplace(Tables{CheckedFile(directory / history_name), CheckedFile(directory / ledger_name)});
   std::string history_header, ledger_header;
   for (const RecordedScalar& column : recorded_scalars()) append_name(history_header, column.name);
   for (const std::string_view column : ledger_columns) append_name(ledger_header, column);
@@ -80,6 +82,27 @@ void History::flush() {
   if (!tables_) return;
   tables_->history.flush();
   tables_->ledger.flush();
+}
+
+void History::save(TableMarks& marks, ByteWriter& archive) {
+  ENSURE(tables_.has_value());
+  tables_->history.sync();
+  tables_->ledger.sync();
+  marks[history_name] = tables_->history.mark();
+  marks[ledger_name] = tables_->ledger.mark();
+  probes_->save(marks);
+  archive.put(last_);
+}
+
+void History::resume(const std::filesystem::path& directory, const TableMarks& marks, ByteReader& archive) {
+  std::optional<CheckedFile> history = at_mark(directory, history_name, marks),
+                             ledger = at_mark(directory, ledger_name, marks);
+  if (!history || !ledger)
+    throw Error(ExitCode::checkpoint_unusable, "the checkpoint knows nothing of history.csv and ledger.csv");
+  tables_.emplace(Tables{std::move(*history), std::move(*ledger)});
+  values_ = read_number_table(directory / history_name, values_.size());
+  probes_->resume(directory, marks);
+  archive.get(last_);
 }
 
 std::optional<std::span<const double>> History::series(std::string_view name) const {

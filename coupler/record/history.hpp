@@ -12,6 +12,7 @@
 #include "coupler/record/checked_file.hpp"
 #include "coupler/record/interval_record.hpp"
 #include "coupler/record/probes.hpp"
+#include "coupler/record/table_marks.hpp"
 
 namespace fissura::coupler {
 
@@ -36,6 +37,12 @@ class History {
 
   /// Hands all lines to the system. Throws StorageError.
   void flush();
+
+  /// Waits until the disk has all lines and enters the marks of the tables. Throws StorageError.
+  void save(TableMarks& marks, ByteWriter& archive);
+  /// In place of write_to(): cuts the tables in `directory` off at their marks and takes the series from them
+  /// again. @pre check_marks. Throws StorageError and Error(checkpoint_unusable).
+  void resume(const std::filesystem::path& directory, const TableMarks& marks, ByteReader& archive);
 
   /// The values of column `name` at all coupling times, or of a quantity of a probe (ProbeSeries::series);
   /// nothing if there is none.

@@ -14,6 +14,7 @@ namespace fissura::coupler {
 
 namespace {
 
+constexpr const char* table_name = "meetings.csv";
 constexpr const char* header =
     "revision,time,x,y,hydraulic,natural,angle,stress_xx,stress_yy,stress_xy,friction,cohesion,strength,"
     "criterion,"
@@ -66,7 +67,7 @@ MeetingLedger::MeetingLedger(std::filesystem::path directory) : directory_(std::
 
 void MeetingLedger::add(std::uint64_t revision, const Meeting& meeting) {
   if (!table_) {
-    table_.emplace(directory_ / "meetings.csv");
+    table_.emplace(directory_ / table_name);
     table_->append(header);
   }
   const double none = std::numeric_limits<double>::quiet_NaN();
@@ -81,6 +82,19 @@ void MeetingLedger::add(std::uint64_t revision, const Meeting& meeting) {
 
 void MeetingLedger::flush() {
   if (table_) table_->flush();
+}
+
+void MeetingLedger::save(TableMarks& marks, ByteWriter& archive) {
+  if (table_) {
+    table_->sync();
+    marks[table_name] = table_->mark();
+  }
+  archive.put(totals_);
+}
+
+void MeetingLedger::resume(const TableMarks& marks, ByteReader& archive) {
+  table_ = at_mark(directory_, table_name, marks);
+  archive.get(totals_);
 }
 
 }  // namespace fissura::coupler

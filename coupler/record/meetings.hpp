@@ -8,6 +8,7 @@
 #include <string>
 
 #include "coupler/record/checked_file.hpp"
+#include "coupler/record/table_marks.hpp"
 
 namespace fissura::coupler {
 
@@ -51,6 +52,13 @@ class MeetingLedger {
 
   /// Hands all lines to the system. Throws StorageError.
   void flush();
+
+  /// Waits until the disk has all lines and enters the mark of the table, if there is one. Throws
+  /// StorageError.
+  void save(TableMarks& marks, ByteWriter& archive);
+  /// Goes on from there. @pre check_marks; add() was not called. Throws StorageError and
+  /// Error(checkpoint_unusable).
+  void resume(const TableMarks& marks, ByteReader& archive);
 
   [[nodiscard]] const MeetingTotals& totals() const { return totals_; }
 

@@ -8,12 +8,15 @@
 
 #include "common/errors.hpp"
 #include "coupler/record/csv_cell.hpp"
+#include "coupler/record/number_table.hpp"
 
 namespace fissura::coupler {
 
 namespace {
 
 using Value = std::optional<double>;
+
+constexpr const char* table_name = "probes.csv";
 
 constexpr std::array quantities{
     ProbeQuantity{"stress_xx", "Pa", [](const ProbeValues& p) -> Value { return p.stress_xx; }},
@@ -79,7 +82,7 @@ void ProbeSeries::write_to(const std::filesystem::path& directory) {
   for (const std::string& name : names_)
     for (const ProbeQuantity& quantity : quantities)
       header += ',' + csv_cell(fmt::format("{}.{}", name, quantity.name));
-  table_.emplace(directory / "probes.csv");
+  table_.emplace(directory / table_name);
   table_->append(header + '\n');
 }
 
@@ -94,11 +97,31 @@ void ProbeSeries::add(double time, const std::vector<ProbeValues>& probes) {
       const double untold = std::numeric_limits<double>::quiet_NaN();
       const double value = probes.empty() ? untold : quantity.value(probes[probe]).value_or(untold);
       line += fmt::format(",{}", value);
-      values_[column].push_back(value);
-      values_[column + 1].push_back(value - values_[column].front());
-      column += 2;
+      keep(column++, value);
     }
   if (table_) table_->append(line + '\n');
+}
+
+void ProbeSeries::keep(std::size_t quantity, double value) {
+  std::vector<double>& values = values_[2 * quantity];
+  values.push_back(value);
+  values_[2 * quantity + 1].push_back(value - values.front());
+}
+
+void ProbeSeries::save(TableMarks& marks) {
+  if (!table_) return;
+  table_->sync();
+  marks[table_name] = table_->mark();
+}
+
+void ProbeSeries::resume(const std::filesystem::path& directory, const TableMarks& marks) {
+  if (names_.empty()) return;
+  table_ = at_mark(directory, table_name, marks);
+  if (!table_) throw Error(ExitCode::checkpoint_unusable, "the checkpoint knows nothing of probes.csv");
+  const std::size_t columns = names_.size() * quantities.size();
+  const std::vector<std::vector<double>> table = read_number_table(directory / table_name, 1 + columns);
+  for (std::size_t column = 0; column < columns; ++column)
+    for (const double value : table[1 + column]) keep(column, value);
 }
 
 void ProbeSeries::flush() {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "coupler/record/checked_file.hpp"
+#include "coupler/record/table_marks.hpp"
 
 namespace fissura::coupler {
 
@@ -54,11 +55,19 @@ class ProbeSeries {
   /// Hands all lines to the system. Throws StorageError.
   void flush();
 
+  /// Waits until the disk has all lines and enters the mark of the table, if there is one. Throws
+  /// StorageError.
+  void save(TableMarks& marks);
+  /// In place of write_to(): see History::resume.
+  void resume(const std::filesystem::path& directory, const TableMarks& marks);
+
   /// The values of `probe.NAME.quantity` at all coupling times, or of `probe.NAME.quantity_change`: the same
   /// minus its first value. Nothing if there is no such probe or quantity.
   [[nodiscard]] std::optional<std::span<const double>> series(std::string_view name) const;
 
  private:
+  void keep(std::size_t quantity, double value);
+
   std::vector<std::string> names_;
   std::vector<std::vector<double>> values_;  ///< [probe x quantity, then its change]
   std::map<std::string, std::size_t, std::less<>> columns_;

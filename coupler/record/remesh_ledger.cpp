@@ -13,11 +13,12 @@ namespace fissura::coupler {
 
 namespace {
 
+constexpr const char *table_name = "remeshing.csv", *wall_times_name = "remeshing_wall.csv";
 constexpr const char* header =
     "revision,time,fracture,x,y,elements_removed,elements_made,elements_untouched,hash_before,hash_after,"
     "smallest_angle,"
     "smallest_altitude,stable_step_before,stable_step_after,strain_energy_before,strain_energy_after,"
-    "kinetic_energy_before,kinetic_energy_after,mass_error,momentum_error,wall_seconds\n";
+    "kinetic_energy_before,kinetic_energy_after,mass_error,momentum_error\n";
 
 double number(const nlohmann::json& object, const char* key) {
   const double value = object.at(key).get<double>();
@@ -71,16 +72,19 @@ RemeshLedger::RemeshLedger(std::filesystem::path directory) : directory_(std::mo
 
 void RemeshLedger::add(std::uint64_t revision, double time, const Remeshing& entry) {
   if (!table_) {
-    table_.emplace(directory_ / "remeshing.csv");
+    table_.emplace(directory_ / table_name);
     table_->append(header);
+    wall_times_.emplace(directory_ / wall_times_name);
+    wall_times_->append("revision,wall_seconds\n");
   }
-  table_->append(
-      fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", revision, time,
-                  csv_cell(entry.fracture), entry.x, entry.y, entry.elements_removed, entry.elements_made,
-                  entry.elements_untouched, entry.hash_before, entry.hash_after, entry.smallest_angle,
-                  entry.smallest_altitude, entry.stable_step_before, entry.stable_step_after,
-                  entry.strain_energy_before, entry.strain_energy_after, entry.kinetic_energy_before,
-                  entry.kinetic_energy_after, entry.mass_error, entry.momentum_error, entry.wall_seconds));
+  table_->append(fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", revision, time,
+                             csv_cell(entry.fracture), entry.x, entry.y, entry.elements_removed,
+                             entry.elements_made, entry.elements_untouched, entry.hash_before,
+                             entry.hash_after, entry.smallest_angle, entry.smallest_altitude,
+                             entry.stable_step_before, entry.stable_step_after, entry.strain_energy_before,
+                             entry.strain_energy_after, entry.kinetic_energy_before,
+                             entry.kinetic_energy_after, entry.mass_error, entry.momentum_error));
+  wall_times_->append(fmt::format("{},{}\n", revision, entry.wall_seconds));
   touched_.push_back(entry.touched());
   const bool first = totals_.insertions == 0;
   ++totals_.insertions;
@@ -102,6 +106,29 @@ void RemeshLedger::add(std::uint64_t revision, double time, const Remeshing& ent
 
 void RemeshLedger::flush() {
   if (table_) table_->flush();
+  if (wall_times_) wall_times_->flush();
+}
+
+void RemeshLedger::save(TableMarks& marks, ByteWriter& archive) {
+  if (table_) {
+    table_->sync();
+    wall_times_->sync();
+    marks[table_name] = table_->mark();
+    marks[wall_times_name] = wall_times_->mark();
+  }
+  archive.put(touched_);
+  archive.put(totals_);
+  archive.put(last_revision_);
+}
+
+void RemeshLedger::resume(const TableMarks& marks, ByteReader& archive) {
+  table_ = at_mark(directory_, table_name, marks);
+  wall_times_ = at_mark(directory_, wall_times_name, marks);
+  if (table_.has_value() != wall_times_.has_value())
+    throw Error(ExitCode::checkpoint_unusable, "the checkpoint knows only one of the tables of remeshing");
+  archive.get(touched_);
+  archive.get(totals_);
+  archive.get(last_revision_);
 }
 
 RemeshTotals RemeshLedger::totals() const {

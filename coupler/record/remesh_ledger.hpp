@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "coupler/record/checked_file.hpp"
+#include "coupler/record/table_marks.hpp"
 
 namespace fissura::coupler {
 
@@ -45,10 +46,11 @@ struct RemeshTotals {
   double wall = 0;                                            ///< [s]
   double largest_mass_error = 0, largest_momentum_error = 0;  ///< magnitudes [-]
   double smallest_step_ratio = 1;                             ///< least of stable step after / before [-]
-  double strain_energy_jump = 0;                              ///< sum of after - before, once per revision [J]
+  double strain_energy_jump = 0;  ///< sum of after - before, once per revision [J]
 };
 
-/// remeshing.csv, one line for each inserted segment, and the totals. The file exists once the mesh has
+/// remeshing.csv, one line for each inserted segment, and the totals; remeshing_wall.csv, the wall times of
+/// the same lines, apart because they alone differ from run to run. The files exist once the mesh has
 /// changed.
 class RemeshLedger {
  public:
@@ -61,11 +63,18 @@ class RemeshLedger {
   /// Hands all lines to the system. Throws StorageError.
   void flush();
 
+  /// Waits until the disk has all lines and enters the marks of the tables, if there are any. Throws
+  /// StorageError.
+  void save(TableMarks& marks, ByteWriter& archive);
+  /// Goes on from there. @pre check_marks; add() was not called. Throws StorageError and
+  /// Error(checkpoint_unusable).
+  void resume(const TableMarks& marks, ByteReader& archive);
+
   [[nodiscard]] RemeshTotals totals() const;
 
  private:
   std::filesystem::path directory_;
-  std::optional<CheckedFile> table_;
+  std::optional<CheckedFile> table_, wall_times_;
   std::vector<std::uint64_t> touched_;
   RemeshTotals totals_;
   std::optional<std::uint64_t> last_revision_;

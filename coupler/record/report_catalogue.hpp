@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "common/byte_archive.hpp"
+
 /// Where the field reports of a run are found; what a reader such as ParaView needs to know.
 namespace fissura::coupler {
 
@@ -56,5 +58,10 @@ struct ReportCatalogue {
   std::vector<StoredReport> reports;                ///< in time order
   std::vector<StoredSources> sources;               ///< in time order
 };
+
+/// For a checkpoint.
+void put(ByteWriter& archive, const ReportCatalogue& catalogue);
+/// Throws Error(checkpoint_unusable).
+ReportCatalogue get_catalogue(ByteReader& archive);
 
 }  // namespace fissura::coupler

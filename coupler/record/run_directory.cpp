@@ -37,6 +37,7 @@ constexpr std::array our_entries{"run.json",
                                  "joints.xdmf",
                                  "meetings.csv",
                                  "remeshing.csv",
+                                 "remeshing_wall.csv",
                                  "fractures.xdmf",
                                  "probes.csv",
                                  "seismicity",
@@ -124,6 +125,16 @@ void write_pid(int lock, const fs::path& directory) {
         fmt::format("cannot write {}: {}", (directory / lock_name).string(), std::strerror(errno)));
 }
 
+void check_run_to_resume(const fs::path& directory) {
+  try {
+    check_kind(directory);
+    const bool holds_run = fs::exists(directory / "run.json") || fs::exists(directory / lock_name);
+    if (!holds_run) refuse(fmt::format("{} holds no run to go on with", directory.string()));
+  } catch (const fs::filesystem_error& error) {
+    refuse(fmt::format("cannot read the run directory {}: {}", directory.string(), error.code().message()));
+  }
+}
+
 }  // namespace
 
 void RunDirectory::check(const fs::path& directory) {
@@ -149,8 +160,13 @@ std::optional<long> RunDirectory::holder(const fs::path& directory) {
   return taken ? std::optional(pid_in(lock)) : std::nullopt;
 }
 
-RunDirectory::RunDirectory(const fs::path& directory) {
-  check(directory);
+RunDirectory::RunDirectory(const fs::path& directory) : RunDirectory(directory, Use::new_run) {}
+
+RunDirectory::RunDirectory(const fs::path& directory, Use use) {
+  if (use == Use::new_run)
+    check(directory);
+  else
+    check_run_to_resume(directory);
   try {
     fs::create_directories(directory);
     path_ = fs::canonical(directory);
@@ -160,12 +176,9 @@ RunDirectory::RunDirectory(const fs::path& directory) {
   }
   lock_ = try_lock(path_);
   try {
-    check_content(path_);
+    if (use == Use::new_run) check_content(path_);
     write_pid(lock_, path_);
-    // summary.json is what says "finished": it goes first, so that an end between two removals is seen as
-    // unfinished.
-    fs::remove(path_ / "summary.json");
-    for (const char* entry : our_entries) fs::remove_all(path_ / entry);
+    if (use == Use::new_run) clear();
   } catch (const fs::filesystem_error& error) {
     ::close(lock_);
     refuse(fmt::format("cannot clear the run directory {}: {}", directory.string(), error.code().message()));
@@ -173,6 +186,13 @@ RunDirectory::RunDirectory(const fs::path& directory) {
     ::close(lock_);
     throw;
   }
+}
+
+void RunDirectory::clear() {
+  // summary.json is what says "finished": it goes first, so that an end between two removals is seen as
+  // unfinished.
+  fs::remove(path_ / "summary.json");
+  for (const char* entry : our_entries) fs::remove_all(path_ / entry);
 }
 
 RunDirectory::~RunDirectory() {

@@ -4,26 +4,91 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <sstream>
 #include <system_error>
 
 #include "common/errors.hpp"
 #include "coupler/record/checked_file.hpp"
+#include "coupler/record/checksums.hpp"
+#include "coupler/record/sealed_line.hpp"
+#include "coupler/record/segment_files.hpp"
 #include "coupler/record/xdmf.hpp"
 
 namespace fissura::coupler {
 
 namespace {
 
-void copy_inputs(const std::vector<std::filesystem::path>& files, const std::filesystem::path& folder) {
+namespace fs = std::filesystem;
+
+const std::string format_of_state = "record 1";
+constexpr const char *segments_folder = "segments", *run_name = "run.json", *summary_name = "summary.json",
+                     *checksums_name = "SHA256SUMS";
+
+void copy_inputs(const std::vector<fs::path>& files, const fs::path& folder) {
   std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
+  fs::create_directories(folder, failure);
   if (failure) throw StorageError(fmt::format("cannot create {}: {}", folder.string(), failure.message()));
   for (const auto& file : files) {
-    std::filesystem::copy_file(file, folder / file.filename(), failure);
+    const fs::path copy = folder / file.filename();
+    if (fs::exists(copy) && fs::equivalent(file, copy)) continue;
+    fs::copy_file(file, copy, fs::copy_options::overwrite_existing, failure);
     if (failure)
       throw StorageError(
           fmt::format("cannot copy {} to {}: {}", file.string(), folder.string(), failure.message()));
+    sync_to_disk(copy);
   }
+  sync_to_disk(folder);
+}
+
+/// run.json of an earlier life of the same run, or else the one that says that it begins now.
+std::string run_text(const fs::path& file, const RunDescription& description) {
+  try {
+    const std::string text = read_whole_file(file);
+    if (nlohmann::json::parse(text).at("run_id") == description.run_id) return text;
+  } catch (const StorageError&) {
+  } catch (const nlohmann::json::exception&) {
+  }
+  return run_json(description).dump(2) + "\n";
+}
+
+std::string started_of(const std::string& run_text) {
+  return nlohmann::json::parse(run_text).at("started").get<std::string>();
+}
+
+/// Says that the run is finished: it goes before anything else is changed.
+void remove_signs_of_the_end(const fs::path& directory) {
+  for (const char* name : {summary_name, checksums_name}) remove_file(directory / name);
+  sync_to_disk(directory);
+}
+
+void remove_earlier_life(const fs::path& directory) {
+  remove_signs_of_the_end(directory);
+  remove_file(directory / segments_folder / "index.jsonl");
+  supersede_segments_after(0, directory / segments_folder);
+  for (const char* name : {"remeshing.csv", "remeshing_wall.csv", "meetings.csv", "probes.csv", "fields.xdmf",
+                           "fractures.xdmf", "joints.xdmf"})
+    remove_file(directory / name);
+}
+
+TableMarks read_marks(ByteReader& archive) {
+  std::string format;
+  archive.get(format);
+  if (format != format_of_state)
+    throw Error(ExitCode::checkpoint_unusable,
+                "the state of the record is of another version of the program");
+  return get_marks(archive);
+}
+
+Checksums hashes_of_segments(const fs::path& index) {
+  Checksums hashes;
+  if (!fs::exists(index)) return hashes;
+  std::istringstream lines(read_whole_file(index));
+  for (std::string line; std::getline(lines, line);) {
+    const nlohmann::json segment = opened_line(line);
+    hashes[fmt::format("{}/{}", segments_folder, segment.at("file").get<std::string>())] =
+        segment.at("sha256").get<std::string>();
+  }
+  return hashes;
 }
 
 }  // namespace
@@ -37,14 +102,72 @@ RunRecord::RunRecord(const std::filesystem::path& directory, int reports_per_seg
 }
 
 void RunRecord::begin(const RunDescription& description) {
+  remove_earlier_life(directory());
   events_.emplace(directory() / "log.jsonl");
   history_.observe(description.probes);
   history_.write_to(directory());
   copy_inputs(description.input_files, directory() / "input");
   write_whole_file(directory() / "effective_case.json", description.effective_case.dump(2) + "\n");
-  const nlohmann::json run = run_json(description);
-  started_ = run.at("started").get<std::string>();
-  write_whole_file(directory() / "run.json", run.dump(2) + "\n");
+  run_json_ = run_text(directory() / run_name, description);
+  started_ = started_of(run_json_);
+  write_whole_file(directory() / run_name, run_json_);
+}
+
+void RunRecord::save_parts(TableMarks& marks, ByteWriter& archive) {
+  history_.save(marks, archive);
+  remesh_ledger_.save(marks, archive);
+  meeting_ledger_.save(marks, archive);
+  segments_.save(marks, archive);
+  sync_to_disk(directory());
+}
+
+std::vector<std::byte> RunRecord::save() {
+  TableMarks marks;
+  ByteWriter parts;
+  save_parts(marks, parts);
+  ByteWriter archive;
+  archive.put(format_of_state);
+  put(archive, marks);
+  archive.put(run_json_);
+  archive.put(interval_);
+  archive.put(time_);
+  archive.put(sources_time_);
+  archive.put(sources_);
+  archive.put(parts.take());
+  return archive.take();
+}
+
+void RunRecord::check(const fs::path& directory, const std::vector<std::byte>& bytes) {
+  ByteReader archive(bytes);
+  check_marks(directory, read_marks(archive));
+}
+
+void RunRecord::resume(const RunDescription& description, const std::vector<std::byte>& bytes) {
+  check(directory(), bytes);
+  ByteReader archive(bytes);
+  const TableMarks marks = read_marks(archive);
+  std::vector<std::byte> parts_bytes;
+  archive.get(run_json_);
+  archive.get(interval_);
+  archive.get(time_);
+  archive.get(sources_time_);
+  archive.get(sources_);
+  archive.get(parts_bytes);
+  archive.end();
+
+  remove_signs_of_the_end(directory());
+  events_.emplace(directory() / "log.jsonl");
+  history_.observe(description.probes);
+  ByteReader parts(parts_bytes);
+  history_.resume(directory(), marks, parts);
+  remesh_ledger_.resume(marks, parts);
+  meeting_ledger_.resume(marks, parts);
+  segments_.resume(marks, parts);
+  parts.end();
+  started_ = started_of(run_json_);
+  write_whole_file(directory() / run_name, run_json_);
+  for (const char* name : {"fields.xdmf", "fractures.xdmf", "joints.xdmf"}) remove_file(directory() / name);
+  if (!segments_.closed().reports.empty()) write_xdmf(directory(), segments_.closed());
 }
 
 void RunRecord::topology(const FractureNetwork& network) {
@@ -106,7 +229,17 @@ void RunRecord::close() {
 
 void RunRecord::finish(const nlohmann::ordered_json& summary) {
   close();
-  write_whole_file(directory() / "summary.json", summary.dump(2) + "\n");
+  write_whole_file(directory() / summary_name, summary.dump(2) + "\n");
+  if (!events_) return;
+  TableMarks marks;
+  ByteWriter unused;
+  save_parts(marks, unused);
+  try {
+    check_marks(directory(), marks);
+  } catch (const Error& damage) {
+    throw StorageError(damage.what());
+  }
+  write_checksums(directory(), hashes_of_segments(directory() / segments_folder / "index.jsonl"));
 }
 
 }  // namespace fissura::coupler

@@ -19,11 +19,12 @@
 #include "coupler/record/remesh_ledger.hpp"
 #include "coupler/record/run_description.hpp"
 #include "coupler/record/segments.hpp"
+#include "coupler/record/table_marks.hpp"
 
 /// Everything a run leaves behind (docs/results.md): the one thing the scheme talks to.
-/// Call order: constructor; begin; then any number of topology, interval, fields, event; close; finish. close
-/// may be left out. After an exception the files written so far are readable; the object may then only be
-/// asked for history() and directory(), or be destroyed.
+/// Call order: constructor; begin or resume; then any number of topology, interval, fields, event, save;
+/// close; finish. close may be left out. After an exception the files written so far are readable; the object
+/// may then only be asked for history() and directory(), or be destroyed.
 namespace fissura::coupler {
 
 class RunRecord {
@@ -34,8 +35,25 @@ class RunRecord {
   RunRecord(const std::filesystem::path& directory, int reports_per_segment);
 
   /// Writes run.json, effective_case.json and copies of the input files; opens the tables and the event log.
-  /// Throws StorageError.
+  /// What an earlier life of the same run left in the directory is begun anew, but its log is gone on with,
+  /// its segments are superseded, and run.json stays. Throws StorageError.
   void begin(const RunDescription& description);
+
+  /// Flushes the tables, waits until the disk has them, and returns everything that the rest of the record
+  /// depends on, for a checkpoint: the marks of the tables, the open segment, what is in closed ones, sources
+  /// not yet in a segment, totals. Throws StorageError.
+  [[nodiscard]] std::vector<std::byte> save();
+
+  /// Whether a run can go on in `directory` from `bytes` of save(): throws Error(checkpoint_unusable), naming
+  /// the file, if a table is shorter than it was or is another up to there. Changes nothing, and reads the
+  /// tables but no segment.
+  static void check(const std::filesystem::path& directory, const std::vector<std::byte>& bytes);
+
+  /// In place of begin(): takes the record back to where save() found it, and goes on from there. Tables are
+  /// cut off, the index forgets later segments, which are superseded, the series are read from the tables
+  /// again; the log is gone on with. Whenever this is interrupted it can be done again. `description` as for
+  /// begin(). Throws as check(), before anything is changed, and StorageError.
+  void resume(const RunDescription& description, const std::vector<std::byte>& bytes);
 
   /// Notes a new topology revision in the event log. The network itself is written with the next field
   /// report.
@@ -79,11 +97,13 @@ class RunRecord {
   /// Closes the segment that is open, if any, and flushes the tables. Throws StorageError.
   void close();
 
-  /// Closes, writes summary.json and thereby marks the run as finished. Throws StorageError.
+  /// Closes, writes summary.json and thereby marks the run as finished, compares the tables with what was
+  /// written, and last writes SHA256SUMS over all result files. Throws StorageError.
   void finish(const nlohmann::ordered_json& summary);
 
  private:
   void write_sources();
+  void save_parts(TableMarks& marks, ByteWriter& archive);
 
   std::filesystem::path directory_;
   History history_;
@@ -93,7 +113,7 @@ class RunRecord {
   std::vector<SourceRecord> sources_;  ///< not yet in a segment
   double sources_time_ = 0;            ///< to which they are complete [s]
   std::optional<EventLog> events_;
-  std::string started_;
+  std::string run_json_, started_;
   std::uint64_t interval_ = 0;  ///< of the last interval()
   double time_ = 0;             ///< of the last interval() [s]
 };

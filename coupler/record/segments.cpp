@@ -11,14 +11,15 @@
 #include "common/faults/fault_point.hpp"
 #include "common/hash.hpp"
 #include "coupler/record/field_arrays.hpp"
+#include "coupler/record/hdf5_file.hpp"
+#include "coupler/record/sealed_line.hpp"
+#include "coupler/record/segment_files.hpp"
 
 namespace fissura::coupler {
 
 namespace {
 
-std::string segment_name(std::uint64_t number) {
-  return fmt::format("{:06}.h5", number);
-}
+constexpr const char *index_name = "index.jsonl", *index_place = "segments/index.jsonl";
 
 Message node_field_arrays(const std::vector<NodeField>& node_fields) {
   Message arrays(MessageType::fields);
@@ -64,125 +65,91 @@ bool Segments::add(double time, const Message& all_structure_fields, const Messa
   const SortedFields of_coupler = sort_fields(coupler_fields, "coupler", nodes, segments, {});
   const SortedFields of_network = sort_fields(network_fields, "network", nodes, segments, {});
 
-  try {
-    if (!file_) open_segment();
-    write_mesh(report.geometry, structure_fields);
-    write_network(network);
+  write_mesh(report.geometry, structure_fields);
+  write_network(network);
 
-    const std::string group = fmt::format("/reports/{:06}", report.number);
-    const auto write_all = [&](const std::vector<const Array*>& arrays, const std::string& folder,
-                               const std::string& prefix, std::vector<StoredArray>& stored) {
-      for (const Array* array : arrays)
-        stored.push_back(write(fmt::format("{}/{}/{}", group, folder, array->name), prefix + array->name,
-                               is_vector_of_the_plane(*array) ? with_zero_third_column(*array) : *array));
-    };
-    file_->create_group(group);
-    write_all(on_mesh.nodes, "structure", "", report.mesh_nodes);
-    write_all(on_mesh.cells, "structure", "", report.mesh_elements);
-    write_all(of_coupler.nodes, "fractures", "", report.network_nodes);
-    write_all(of_coupler.cells, "fractures", "", report.network_segments);
-    write_all(of_network.nodes, "network", "network_", report.network_nodes);
-    write_all(of_network.cells, "network", "network_", report.network_segments);
-    for (const Array& array : joints) {
-      const bool is_direction = is_vector_of_the_plane(array) && array.name != "position";
-      report.joints.push_back(write(group + "/joints/" + array.name, array.name,
-                                    is_direction ? with_zero_third_column(array) : array));
-    }
-    file_->write_attribute(group, "time", time);
-    file_->write_attribute(group, "geometry", report.geometry);
-    file_->write_attribute(group, "revision", report.revision);
-    open_.reports.push_back(std::move(report));
-    ++reports_;
-  } catch (const StorageError&) {
-    abandon_segment();
-    throw;
+  const std::string group = fmt::format("/reports/{:06}", report.number);
+  const auto write_all = [&](const std::vector<const Array*>& arrays, const std::string& name,
+                             const std::string& prefix, std::vector<StoredArray>& stored) {
+    for (const Array* array : arrays)
+      stored.push_back(write(fmt::format("{}/{}/{}", group, name, array->name), prefix + array->name,
+                             is_vector_of_the_plane(*array) ? with_zero_third_column(*array) : *array));
+  };
+  journal_.create_group(group);
+  write_all(on_mesh.nodes, "structure", "", report.mesh_nodes);
+  write_all(on_mesh.cells, "structure", "", report.mesh_elements);
+  write_all(of_coupler.nodes, "fractures", "", report.network_nodes);
+  write_all(of_coupler.cells, "fractures", "", report.network_segments);
+  write_all(of_network.nodes, "network", "network_", report.network_nodes);
+  write_all(of_network.cells, "network", "network_", report.network_segments);
+  for (const Array& array : joints) {
+    const bool is_direction = is_vector_of_the_plane(array) && array.name != "position";
+    report.joints.push_back(write(group + "/joints/" + array.name, array.name,
+                                  is_direction ? with_zero_third_column(array) : array));
   }
-  return open_.reports.size() == reports_per_segment_ && close();
+  journal_.write_attribute(group, "time", time);
+  journal_.write_attribute(group, "geometry", report.geometry);
+  journal_.write_attribute(group, "revision", report.revision);
+  open_.reports.push_back(std::move(report));
+  ++reports_;
+  const bool is_full = open_.reports.size() >= reports_per_segment_ || journal_.bytes() >= largest_segment;
+  return is_full && close();
 }
 
 void Segments::add_sources(double time, const std::vector<SourceRecord>& records) {
   if (records.empty()) return;
-  try {
-    if (!file_) open_segment();
-    StoredSources stored{sources_ + 1, time, {}};
-    const std::string group = fmt::format("/sources/{:06}", stored.number);
-    file_->create_group(group);
-    for (const Array& array : arrays_of(records))
-      stored.arrays.push_back(write(group + "/" + array.name, array.name, array));
-    file_->write_attribute(group, "time", time);
-    open_.sources.push_back(std::move(stored));
-    ++sources_;
-  } catch (const StorageError&) {
-    abandon_segment();
-    throw;
-  }
+  StoredSources stored{sources_ + 1, time, {}};
+  const std::string group = fmt::format("/sources/{:06}", stored.number);
+  journal_.create_group(group);
+  for (const Array& array : arrays_of(records))
+    stored.arrays.push_back(write(group + "/" + array.name, array.name, array));
+  journal_.write_attribute(group, "time", time);
+  open_.sources.push_back(std::move(stored));
+  ++sources_;
 }
 
 bool Segments::close() {
-  if (!file_) return false;
+  if (journal_.empty()) return false;
   try {
-    check_and_publish();
+    write_segment();
   } catch (const StorageError&) {
-    abandon_segment();
+    // The space is better used for the report of the failure.
+    std::error_code ignored;
+    std::filesystem::remove(folder() / (segment_name(segment_) + ".part"), ignored);
+    journal_ = {};
+    open_ = {};
     throw;
   }
-  file_.reset();
+  journal_ = {};
   closed_.meshes.merge(open_.meshes);
   closed_.networks.merge(open_.networks);
   closed_.sources.insert(closed_.sources.end(), open_.sources.begin(), open_.sources.end());
   closed_.reports.insert(closed_.reports.end(), open_.reports.begin(), open_.reports.end());
   open_ = {};
+  ++segment_;
   return true;
 }
 
-void Segments::open_segment() {
-  const std::filesystem::path folder = run_directory_ / "segments";
-  if (!index_) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure) throw StorageError(fmt::format("cannot create {}: {}", folder.string(), failure.message()));
-    index_.emplace(folder / "index.jsonl");
-  }
-  ++segment_;
-  file_.emplace(Hdf5File::create(part()));
-}
-
-std::filesystem::path Segments::part() const {
-  return run_directory_ / "segments" / (segment_name(segment_) + ".part");
-}
-
-void Segments::abandon_segment() {
-  file_.reset();
-  open_ = {};
-  // The space is better used for the report of the failure.
-  std::error_code ignored;
-  std::filesystem::remove(part(), ignored);
-}
-
-void Segments::check_and_publish() {
-  fault_point(FaultPhase::segment);
-  file_->close();
-  const Hdf5File written = Hdf5File::open(part());
-  const auto check = [&](const StoredArray& array) {
-    const std::string dataset = array.location.substr(array.location.find(':') + 1);
-    if (written.describe(dataset).shape != array.shape)
-      throw StorageError(fmt::format("{} in {} is not what was written", dataset, part().string()));
-  };
-  for (const auto& [geometry, mesh] : open_.meshes) check(mesh.position), check(mesh.elements);
-  for (const auto& [revision, network] : open_.networks) check(network.position), check(network.segments);
-  for (const StoredReport& report : open_.reports)
-    for (const auto* arrays : {&report.mesh_nodes, &report.mesh_elements, &report.network_nodes,
-                               &report.network_segments, &report.joints})
-      for (const StoredArray& array : *arrays) check(array);
-  for (const StoredSources& sources : open_.sources)
-    for (const StoredArray& array : sources.arrays) check(array);
-
-  const std::string hash = sha256_of_file(part());
+void Segments::write_segment() {
   std::error_code failure;
-  const std::uintmax_t size = std::filesystem::file_size(part(), failure);
-  if (failure) throw StorageError(fmt::format("cannot read {}: {}", part().string(), failure.message()));
+  std::filesystem::create_directories(folder(), failure);
+  if (failure) throw StorageError(fmt::format("cannot create {}: {}", folder().string(), failure.message()));
+  if (!index_) {
+    index_.emplace(folder() / index_name);
+    sync_to_disk(run_directory_);
+  }
+  const std::filesystem::path file = folder() / segment_name(segment_), part = file.string() + ".part";
+  Hdf5File output = Hdf5File::create(part);
+  journal_.write_to(output);
   fault_point(FaultPhase::segment);
-  publish(part(), run_directory_ / "segments" / segment_name(segment_));
+  output.close();
+  journal_.compare_with(Hdf5File::open(part));
+
+  const std::string hash = sha256_of_file(part);
+  const std::uintmax_t size = std::filesystem::file_size(part, failure);
+  if (failure) throw StorageError(fmt::format("cannot read {}: {}", part.string(), failure.message()));
+  fault_point(FaultPhase::segment);
+  publish(part, file);
   fault_point(FaultPhase::segment);
   append_to_index(hash, size);
 }
@@ -205,8 +172,29 @@ void Segments::append_to_index(const std::string& file_hash, std::uintmax_t file
   for (const auto& [geometry, mesh] : open_.meshes) line["meshes"].push_back(geometry);
   line["networks"] = nlohmann::ordered_json::array();
   for (const auto& [revision, network] : open_.networks) line["networks"].push_back(revision);
-  index_->append(line.dump() + "\n");
+  index_->append(sealed_line(line) + "\n");
   index_->sync();
+}
+
+void Segments::save(TableMarks& marks, ByteWriter& archive) const {
+  if (index_) marks[index_place] = index_->mark();
+  archive.put(segment_);
+  archive.put(reports_);
+  archive.put(sources_);
+  journal_.save(archive);
+  put(archive, closed_);
+  put(archive, open_);
+}
+
+void Segments::resume(const TableMarks& marks, ByteReader& archive) {
+  archive.get(segment_);
+  archive.get(reports_);
+  archive.get(sources_);
+  journal_.restore(archive);
+  closed_ = get_catalogue(archive);
+  open_ = get_catalogue(archive);
+  index_ = at_mark(run_directory_, index_place, marks);
+  supersede_segments_after(segment_ - 1, folder());
 }
 
 const StoredMesh* Segments::find_mesh(std::uint64_t geometry) const {
@@ -251,7 +239,7 @@ void Segments::write_network(const FractureNetwork& network) {
 }
 
 StoredArray Segments::write(const std::string& dataset, const std::string& shown_name, const Array& array) {
-  file_->write(dataset, array);
+  journal_.write(dataset, array);
   return {shown_name, array.dtype, array.unit, array.shape,
           fmt::format("segments/{}:{}", segment_name(segment_), dataset)};
 }

@@ -68,10 +68,17 @@ json table(const CsvColumns& csv, const std::vector<std::size_t>& rows,
   return {{"rows", csv.rows()}, {"columns", std::move(columns)}};
 }
 
-json remeshing_table(const fs::path& file) {
+/// With the wall times of the same lines, which are kept in a table of their own.
+json remeshing_table(const fs::path& file, const fs::path& wall_times) {
   if (!fs::exists(file)) return nullptr;
   const CsvColumns csv(file);
-  return table(csv, evenly_spread(csv.rows(), csv.rows()), {"fracture", "hash_before", "hash_after"});
+  json remeshing =
+      table(csv, evenly_spread(csv.rows(), csv.rows()), {"fracture", "hash_before", "hash_after"});
+  std::vector<double> seconds;
+  if (fs::exists(wall_times)) seconds = CsvColumns(wall_times).numbers("wall_seconds");
+  seconds.resize(csv.rows(), 0);
+  remeshing["columns"]["wall_seconds"] = seconds;
+  return remeshing;
 }
 
 std::vector<std::string> probe_names(const json& run_case) {
@@ -129,7 +136,7 @@ json report_data(const fs::path& run_directory) {
   data["columns"] = json_file(run_directory / "columns.json");
   data["history"] = table(history, rows, {});
   data["ledger"] = table(CsvColumns(run_directory / "ledger.csv"), rows, {});
-  data["remeshing"] = remeshing_table(run_directory / "remeshing.csv");
+  data["remeshing"] = remeshing_table(run_directory / "remeshing.csv", run_directory / "remeshing_wall.csv");
   data["comparison"] = comparison(run_directory, run_case.at("time").at("end"), probe_names(run_case));
   data["classical"] =
       history.rows() == 0 ? json() : classical_curves(run_case, history.numbers("time").back());

@@ -191,7 +191,7 @@ function remeshing() {
     caption: "What carrying displacement and momentum over to the new elements changes. Segments inserted at once share one patch energy.",
     source: "remeshing.csv: strain_energy_*, kinetic_energy_*" });
   chart(grid, { id: "remeshing_wall", title: "Wall time of an insertion", x, y: "wall time [ms]", factor: 1e3, zero: true,
-    series: [of("wall time", columns.wall_seconds, colours.blue)], caption: "Of the structure: patch, new elements, transfer of state.", source: "remeshing.csv: wall_seconds" });
+    series: [of("wall time", columns.wall_seconds, colours.blue)], caption: "Of the structure: patch, new elements, transfer of state.", source: "remeshing_wall.csv: wall_seconds" });
 }
 
 function stepping() {

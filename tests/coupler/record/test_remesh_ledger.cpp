@@ -56,8 +56,9 @@ TEST_CASE("remeshing.csv has one line for each inserted segment, as the structur
   const auto lines = sample::lines(folder.path() / "remeshing.csv");
   REQUIRE(lines.size() == 3);
   CHECK(lines[0].starts_with("revision,time,fracture,x,y,elements_removed,"));
-  CHECK(lines[1] ==
-        "7,2.5,slit,1.5,-0.25,20,26,1000,ab12,ab12,0.5,0.2,4e-05,3e-05,10,10.5,2,2,-3e-16,1e-15,0.002");
+  CHECK(lines[1] == "7,2.5,slit,1.5,-0.25,20,26,1000,ab12,ab12,0.5,0.2,4e-05,3e-05,10,10.5,2,2,-3e-16,1e-15");
+  CHECK(sample::lines(folder.path() / "remeshing_wall.csv") ==
+        std::vector<std::string>{"revision,wall_seconds", "7,0.002", "8,0.002"});
   CHECK(lines[2].starts_with("8,2.75,\"the \"\"north, old\"\" one\",1.5,"));
 }
 

@@ -43,10 +43,10 @@ TEST_CASE("a run leaves exactly the files that docs/results.md lists", "[coupler
   std::set<std::string> found;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path() / "run"))
     if (entry.is_regular_file()) found.insert(std::filesystem::relative(entry.path(), folder.path() / "run"));
-  CHECK(found == std::set<std::string>{"columns.json", "effective_case.json", "fields.xdmf", "fractures.xdmf",
-                                       "history.csv", "input/case.toml", "ledger.csv", "lock", "log.jsonl",
-                                       "run.json", "segments/000001.h5", "segments/index.jsonl",
-                                       "summary.json"});
+  CHECK(found == std::set<std::string>{"SHA256SUMS", "columns.json", "effective_case.json", "fields.xdmf",
+                                       "fractures.xdmf", "history.csv", "input/case.toml", "ledger.csv",
+                                       "lock", "log.jsonl", "run.json", "segments/000001.h5",
+                                       "segments/index.jsonl", "summary.json"});
   CHECK(sample::lines(folder.path() / "run" / "history.csv").size() == 2);
   CHECK(nlohmann::json::parse(sample::content(folder.path() / "run" / "summary.json"))["verdict"] == "none");
   const auto events = sample::lines(folder.path() / "run" / "log.jsonl");

@@ -39,7 +39,8 @@ nlohmann::json last_index_line(const std::filesystem::path& run_directory) {
 
 }  // namespace
 
-TEST_CASE("records of sources are read back from their segment bit for bit", "[coupler][record][seismicity]") {
+TEST_CASE("records of sources are read back from their segment bit for bit",
+          "[coupler][record][seismicity]") {
   const sample::TemporaryDirectory folder;
   const FractureNetwork network = sample::network();
   Segments segments(folder.path(), 1);
