@@ -78,6 +78,7 @@ void write_with_natural_fracture(const std::filesystem::path& directory) {
   description.effective_case["fractures"] = {
       {{"name", "slit"}, {"kind", "open"}, {"points", {{-1.0, 0.0}, {1.0, 0.0}}}},
       {{"name", "nf"}, {"kind", "natural"}, {"points", {{2.0, -1.0}, {2.0, 1.0}}}}};
+  std::filesystem::create_directories(directory);
   RunRecord record(directory, 1);
   record.begin(description);
   const FractureNetwork first = sample::network(), joined = joined_network();
@@ -115,6 +116,7 @@ void write(const std::filesystem::path& directory, Comparison comparison) {
            "mm\"\ntolerance = 0.03\nreason = \"r\"\n";
     description.input_files = {inputs.path() / "expected.toml", inputs.path() / "reference.csv"};
   }
+  std::filesystem::create_directories(directory);
   RunRecord record(directory, 1);
   record.begin(description);
   const FractureNetwork first = sample::network(), grown = sample::grown_network();

@@ -92,7 +92,9 @@ TEST_CASE("the remesh ledger is taken as it stands", "[coupler][report]") {
   CHECK(report_data(folder.path() / "run")["remeshing"].is_null());
   std::ofstream(folder.path() / "run" / "remeshing.csv")
       << "revision,time,fracture,elements_removed,hash_before,hash_after\n1,0.5,\"slit, east\",12,0a,0a\n";
+  std::ofstream(folder.path() / "run" / "remeshing_wall.csv") << "revision,wall_seconds\n1,0.25\n";
   const nlohmann::json remeshing = report_data(folder.path() / "run")["remeshing"];
+  CHECK(remeshing["columns"]["wall_seconds"] == nlohmann::json({0.25}));
   CHECK(remeshing["rows"] == 1);
   CHECK(remeshing["columns"]["elements_removed"] == nlohmann::json({12.0}));
   CHECK(remeshing["columns"]["fracture"] == nlohmann::json({"slit, east"}));
