@@ -17,7 +17,6 @@
 
 #include "common/errors.hpp"
 #include "common/faults/fault_point.hpp"
-#include "common/faults/fault_point.hpp"
 #include "common/hash.hpp"
 #include "coupler/record/checked_file.hpp"
 
@@ -66,7 +65,7 @@ void rename_folder(const fs::path& from, const fs::path& to) {
 
 /// Whether both have changed places; nothing has happened if the file system cannot do that.
 bool exchange(const fs::path& one, const fs::path& other) {
-  obey_fault_plan(one);
+  if (const int error = injected_error(StorageCall::rename)) fail("rename", one, std::strerror(error));
   if (::renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) == 0) return true;
   if (errno == EINVAL || errno == ENOSYS) return false;
   fail("rename", one, std::strerror(errno));
