@@ -163,13 +163,16 @@ def signal_cells():
         yield Cell("supervisor killed, others going on", f"held {role} {place}", End(137), faults=held, within=5,
                    acts=(("stopped", role), ("signal", "supervisor", "SIGKILL"), ("signal", role, "SIGCONT")), needs=("--fault-plan",))
         for other in ROLES:
-            yield Cell("killed from outside", f"{other}, held {role} {place}", End(20, other, "killed by signal 9"), faults=held,
+            # Who is held at that moment may be the coupler's worker: then that it is stopped is the first fault.
+            dead = End("20|21", f"{other}|coupler", "") if role == "coupler" != other else End(20, other, "killed by signal 9")
+            yield Cell("killed from outside", f"{other}, held {role} {place}", dead, faults=held, within=2.5 if role == "coupler" != other else 0.25,
                        acts=(("stopped", role), ("signal", other, "SIGKILL")), needs=("--fault-plan",))
         for other in PARTICIPANTS:
             yield Cell("SIGTERM to a participant", f"{other}, held {role} {place}", End(143, "", ""), faults=held, within=10,
                        acts=(("stopped", role), ("signal", other, "SIGTERM"), ("signal", role, "SIGCONT")), needs=("--fault-plan",))
-        yield Cell("illegal instruction", f"network, held {role} {place}", End(20, "network", "killed by signal 4"), faults=held,
-                   acts=(("stopped", role), ("signal", "network", "SIGILL"), ("signal", "network", "SIGCONT")), needs=("--fault-plan",))
+        if role != "coupler":
+            yield Cell("illegal instruction", f"network, held {role} {place}", End(20, "network", "killed by signal 4"), faults=held,
+                       acts=(("stopped", role), ("signal", "network", "SIGILL"), ("signal", "network", "SIGCONT")), needs=("--fault-plan",))
 
 
 def value_cells():
