@@ -77,6 +77,13 @@ DecodedMessage decode_frames(std::span<const zmq::message_t> frames) {
   return decode(views);
 }
 
+/// What can be read of a message that says things in another version.
+nlohmann::json body_of(std::span<const zmq::message_t> frames) {
+  if (frames.size() < 2) return nlohmann::json::object();
+  nlohmann::json body = nlohmann::json::parse(frames[1].to_string_view(), nullptr, false);
+  return body.is_object() ? body : nlohmann::json::object();
+}
+
 /// Reports of the transport about its connections.
 class ConnectionMonitor {
  public:
@@ -273,6 +280,8 @@ class CouplerChannel::Implementation {
       peer.check.check(decoded.stamp, decoded.message, hello ? decoded.stamp.run : run_,
                        hello ? decoded.stamp.epoch : epoch_);
       return Received{number, std::move(decoded.message)};
+    } catch (const OtherVersion& fault) {
+      return PeerFault{number, fault.what(), body_of(std::span(frames).subspan(1))};
     } catch (const Error& fault) {
       return PeerFault{number, fault.what()};
     }

@@ -61,10 +61,12 @@ class CouplerChannel {
   struct PeerLost {
     PeerNumber peer = 0;
   };
-  /// What a peer sent could not be accepted; `reason` says why.
+  /// What a peer sent could not be accepted; `reason` says why. `greeting` is the body, as far as it can be read, of
+  /// what a peer of another major version said.
   struct PeerFault {
     PeerNumber peer = 0;
     std::string reason;
+    std::optional<nlohmann::json> greeting = {};
   };
   /// One of the file descriptors of `wait` became readable.
   struct Readable {

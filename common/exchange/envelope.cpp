@@ -58,8 +58,8 @@ Envelope decode_envelope(std::span<const std::byte> frame) {
     offset += sizeof(field);
   });
   if (envelope.major != protocol_major)
-    throw ProtocolError(fmt::format("peer speaks protocol {}.{}, this program speaks {}.{}", envelope.major,
-                                    envelope.minor, protocol_major, protocol_minor));
+    throw OtherVersion(fmt::format("peer speaks protocol {}.{}, this program speaks {}.{}", envelope.major,
+                                   envelope.minor, protocol_major, protocol_minor));
   return envelope;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "common/errors.hpp"
 #include "common/exchange/message.hpp"
 
 namespace fissura {
@@ -33,7 +34,12 @@ using EnvelopeBytes = std::array<std::byte, envelope_size>;
 /// The 64 bytes of `envelope`, checksum field included as given.
 EnvelopeBytes encode(const Envelope& envelope);
 
-/// Throws ProtocolError for a wrong size, magic or major version.
+/// The peer speaks another major version.
+struct OtherVersion : ProtocolError {
+  using ProtocolError::ProtocolError;
+};
+
+/// Throws ProtocolError for a wrong size or magic, OtherVersion for another major version.
 Envelope decode_envelope(std::span<const std::byte> frame);
 
 }  // namespace fissura

@@ -372,8 +372,10 @@ Word word_of(const Message& message) {
   switch (message.type) {
     case MessageType::hello:
       return hello;
-    case MessageType::welcome:
-      return message.body.contains("resumes") && message.value<bool>("resumes") ? welcome_resuming : welcome;
+    case MessageType::welcome: {
+      const auto resumes = message.body.find("resumes");
+      return resumes != message.body.end() && *resumes == true ? welcome_resuming : welcome;
+    }
     case MessageType::reject:
       return reject;
     case MessageType::topology:

@@ -43,7 +43,6 @@ enum class Word : std::uint8_t {
 };
 inline constexpr std::size_t word_count = 21;
 
-/// Throws ProtocolError if `resumes` of a WELCOME is no truth value.
 Word word_of(const Message& message);
 /// "HELLO", "WELCOME resuming", "RESPONSE proposing", ...
 const char* name(Word word);

@@ -39,7 +39,8 @@ int open_pidfd(pid_t pid) { return static_cast<int>(::syscall(SYS_pidfd_open, pi
 }  // namespace
 
 std::string ProcessEnd::sentence() const {
-  if (signal) return fmt::format("was killed by signal {} ({})", *signal, ::strsignal(*signal));
+  if (signal)
+    return fmt::format("was killed by signal {} (SIG{}, {})", *signal, ::sigabbrev_np(*signal), ::strsignal(*signal));
   if (exit_code == 0) return "ended early with the exit code of success";
   return fmt::format("ended with exit code {} ({})", exit_code,
                      exit_code == 127 ? "command not found" : name(static_cast<ExitCode>(exit_code)));

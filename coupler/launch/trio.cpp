@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "common/log.hpp"
+#include "coupler/launch/executable_check.hpp"
 #include "coupler/launch/signals.hpp"
 
 namespace fissura::coupler {
@@ -14,10 +15,9 @@ namespace fissura::coupler {
 namespace {
 
 constexpr Seconds tick{0.05};
-constexpr Seconds keep_alive_interval{1.0};
-constexpr double stop_tolerance = 1.0;   // wall seconds a participant may be stopped
-constexpr double last_words = 0.1;       // wall seconds in which a message of a process that ended may still arrive
-constexpr double farewell = 0.5;         // wall seconds a participant may take to end after being told
+constexpr double farewell = 0.5;  // wall seconds a participant may take to end after being told
+constexpr double parting = 0.15;  // wall seconds between the end of a connection and that of its process
+constexpr int most_at_once = 256;
 
 double since(std::chrono::steady_clock::time_point start) {
   return Seconds(std::chrono::steady_clock::now() - start).count();
@@ -29,62 +29,84 @@ std::string hexadecimal(const RunId& run) {
   return text;
 }
 
+bool may_be_said(const CouplerMove& move) {
+  return std::holds_alternative<CouplerView>(move);
+}
+
 }  // namespace
 
 Trio::Trio(const TrioOptions& options, const RunId& run, std::uint32_t epoch, StatusPage& status)
     : options_(options), status_(status), channel_(options.endpoint, run, epoch), run_id_(hexadecimal(run)) {
   participants_[0].role = Role::structure;
   participants_[1].role = Role::network;
+  for (Participant& each : participants_) each.ladder = ProgressLadder(options.deadlines.progress);
 }
 
 Trio::~Trio() = default;
 
+// ---- the conversation -------------------------------------------------------------------------------
+
 void Trio::start(const nlohmann::json& run_case, Start start) {
   run_case_ = run_case;
   start_ = start;
-  for (Participant& each : participants_) {
-    each.last_word = Clock::now();
-    const std::optional<std::string>& command = options_.command[static_cast<std::size_t>(each.role)];
-    if (!command) continue;
+  for (Participant& each : participants_) start_process(each);
+  for (const Participant& each : participants_)
+    while (each.view == CouplerView::absent) handle_next_event(tick);
+}
+
+void Trio::start_process(Participant& each) {
+  each.last_word = each.asked_at = Clock::now();
+  const std::optional<std::string>& command = options_.command[static_cast<std::size_t>(each.role)];
+  if (command) {
+    if (const std::optional<std::string> reason = why_not_executable(*command))
+      fail(ExitCode::precondition, each, "cannot be started: " + *reason);
     each.process.emplace(std::vector<std::string>{
         "/bin/sh", "-c", fmt::format("exec {} --connect '{}'", *command, channel_.endpoint())});
+    each.memory.emplace(each.process->pid());
+    deaths_.add(each.process->descriptor(), static_cast<std::size_t>(each.role));
   }
-  for (Participant& each : participants_)
-    while (!each.peer) {
-      handle_next_event(tick);
-      check_silence(each, options_.deadlines.join);
-    }
+  show(each);
 }
 
 void Trio::send(Role role, Message command) {
   Participant& target = participant(role);
   target.asked = name(command.type);
   target.interval = command.interval;
-  target.last_word = Clock::now();
+  target.last_word = target.asked_at = Clock::now();
   target.answer.reset();
+  say(target, std::move(command));
+  show(target);
+}
+
+void Trio::say(Participant& target, Message message) {
+  const Word word = word_of(message);
+  const CouplerMove& allowed = move(target.role, target.view, word);
+  if (const auto* fault = std::get_if<ProtocolFault>(&allowed))
+    throw Error(
+        ExitCode::internal,
+        fmt::format("the coupler would have said {} to the {}, but {} (view {}, fault {})", name(word),
+                    name(target.role), sentence(*fault), name(target.view), name(*fault)));
+  target.view = std::get<CouplerView>(allowed);
   try {
-    channel_.send(*target.peer, std::move(command));
+    channel_.send(*target.peer, std::move(message));
   } catch (const ProtocolError& fault) {
-    // A peer that has just died cannot be written to: what it said last, or how it ended, is the better reason.
-    hear_last_words();
-    watch_processes();
+    // A peer that has just died cannot be written to: what it said last, or how it ended, is the better
+    // reason.
+    if (target.process && target.process->wait(parting)) process_ended(target);
+    hear_last_words(target);
+    if (target.process && target.process->stopped())
+      fail(ExitCode::participant_unresponsive, target, "is stopped by a signal");
     fail(ExitCode::protocol_violation, target, fault.what());
   }
 }
 
 Message Trio::await(Role role, MessageType expected) {
   Participant& source = participant(role);
+  ENSURE(source.answer || is_waited_for(source.view));
   const Clock::time_point begin = Clock::now();
-  while (!source.answer) {
-    handle_next_event(tick);
-    // Meshing comes between WELCOME and TOPOLOGY or RESTORED.
-    const bool joining = expected == MessageType::topology || expected == MessageType::restored;
-    if (!source.answer) check_silence(source, joining ? options_.deadlines.join : options_.deadlines.progress);
-  }
+  while (!source.answer) handle_next_event(tick);
   source.waited += since(begin);
-  if (source.answer->type != expected)
-    fail(ExitCode::protocol_violation, source,
-         fmt::format("sent {} where {} was expected", name(source.answer->type), name(expected)));
+  ENSURE(source.answer->type == expected);
   Message answer = std::move(*source.answer);
   source.answer.reset();
   return answer;
@@ -98,22 +120,21 @@ Message Trio::request(Role role, Message command, MessageType expected) {
 std::array<nlohmann::json, 2> Trio::finish() {
   for (const Role role : {Role::structure, Role::network}) send(role, Message(MessageType::finish));
   std::array<nlohmann::json, 2> figures;
-  for (const Role role : {Role::structure, Role::network})
-    figures[static_cast<std::size_t>(role)] =
-        await(role, MessageType::bye).body.value("figures", nlohmann::json::object());
-  for (Participant& each : participants_) {
-    if (!each.process) continue;
-    const ProcessEnd end = each.process->wait_or_kill(options_.deadlines.finish);
-    if (end.signal || end.exit_code != 0)
-      fail(ExitCode::participant_died, each, "said BYE, then " + end.sentence());
+  for (const Role role : {Role::structure, Role::network}) {
+    const Message bye = await(role, MessageType::bye);
+    const auto given = bye.body.find("figures");
+    const bool whole = given != bye.body.end() && given->is_object();
+    figures[static_cast<std::size_t>(role)] = whole ? *given : nlohmann::json::object();
   }
+  for (Participant& each : participants_) wait_for_end(each);
   return figures;
 }
 
 void Trio::abort(const std::string& reason) {
-  ending_ = true;
   for (Participant& each : participants_) {
     if (!each.peer || (each.process && each.process->end())) continue;
+    if (!may_be_said(move(each.role, each.view, Word::fail))) continue;
+    each.view = CouplerView::gone;
     Message message(MessageType::fail);
     message.body = {{"role", "coupler"}, {"phase", status_.phase()}, {"reason", reason}, {"exit_code", 0}};
     try {
@@ -126,58 +147,91 @@ void Trio::abort(const std::string& reason) {
     if (each.process) each.process->wait_or_kill(each.peer && !each.process->stopped() ? farewell : 0);
 }
 
+// ---- what comes -------------------------------------------------------------------------------------
+
 void Trio::handle_next_event(Seconds patience) {
   status_.beat();
   pass_on_signals(status_);
-  std::vector<int> descriptors;
-  for (Participant& each : participants_)
-    if (each.process && !each.said_bye && !each.process->end()) descriptors.push_back(each.process->descriptor());
-  CouplerChannel::Event event = channel_.wait(patience, descriptors);
-  if (auto* received = std::get_if<CouplerChannel::Received>(&event)) {
-    handle(std::move(*received));
-  } else if (auto* fault = std::get_if<CouplerChannel::PeerFault>(&event)) {
-    for (Participant& each : participants_)
-      if (each.peer == fault->peer) fail(ExitCode::protocol_violation, each, "sent nonsense: " + fault->reason);
-    log::warn("an unknown peer was ignored: " + fault->reason);
-  } else if (auto* lost = std::get_if<CouplerChannel::PeerLost>(&event)) {
-    for (Participant& each : participants_) {
-      if (each.peer != lost->peer || each.said_bye) continue;
-      if (each.process && each.process->wait(farewell)) watch_processes();
-      if (each.process && each.process->stopped()) fail(ExitCode::participant_unresponsive, each, "is stopped by a signal");
-      fail(ExitCode::participant_died, each, "closed its connection");
-    }
-  } else {
-    watch_processes();
-  }
+  // Silence is judged only when all that has been said is heard: this process may have been busy or held up
+  // itself.
+  bool all_heard = false;
+  for (int count = 0; count < most_at_once && !all_heard; ++count)
+    all_heard = !handle(channel_.wait(count == 0 ? patience : Seconds(0), {deaths_.descriptor()}));
+  watch_processes();
+  if (all_heard)
+    for (Participant& each : participants_) watch_silence(each);
   keep_alive();
 }
 
-void Trio::handle(CouplerChannel::Received&& received) {
-  Message& message = received.message;
-  if (message.type == MessageType::hello) {
-    greet(received.peer, message);
-    return;
+/// @returns whether more may be waiting
+bool Trio::handle(CouplerChannel::Event&& event) {
+  if (auto* received = std::get_if<CouplerChannel::Received>(&event)) {
+    for (Participant& each : participants_)
+      if (each.peer == received->peer) {
+        try {
+          hear(each, std::move(received->message));
+        } catch (const nlohmann::json::exception& fault) {
+          fail(ExitCode::protocol_violation, each,
+               fmt::format("sent a body that cannot be read: {}", fault.what()));
+        }
+        return true;
+      }
+    hear_stranger(received->peer, received->message);
+    return true;
   }
-  for (Participant& each : participants_) {
-    if (each.peer != received.peer) continue;
-    each.last_word = Clock::now();
-    if (message.type == MessageType::progress) {
-      each.phase = message.body.value("phase", each.phase);
-      hear_stop_request(each, message);
-    } else if (message.type == MessageType::fail) {
-      each.phase = message.body.value("phase", each.phase);
-      const int code = message.body.value("exit_code", static_cast<int>(ExitCode::internal));
-      fail(static_cast<ExitCode>(code), each, "reports: " + message.body.value("reason", std::string("no reason")));
-    } else if (each.answer || each.said_bye) {
-      fail(ExitCode::protocol_violation, each, fmt::format("sent {} without being asked", name(message.type)));
-    } else {
-      each.said_bye = message.type == MessageType::bye;
+  if (auto* fault = std::get_if<CouplerChannel::PeerFault>(&event)) {
+    for (Participant& each : participants_)
+      if (each.peer == fault->peer)
+        fail(ExitCode::protocol_violation, each, "sent nonsense: " + fault->reason);
+    if (fault->greeting)
+      refuse(fault->peer, ExitCode::mismatch, fault->reason, *fault->greeting);
+    else
+      log::warn("an unknown peer was ignored: " + fault->reason);
+    return true;
+  }
+  if (auto* lost = std::get_if<CouplerChannel::PeerLost>(&event)) {
+    for (Participant& each : participants_)
+      if (each.peer == lost->peer) peer_lost(each);
+    return true;
+  }
+  return false;
+}
+
+void Trio::hear(Participant& each, Message&& message) {
+  const Word word = word_of(message);
+  const CouplerReaction& rule = reaction(each.role, each.view, word);
+  if (const auto* fault = std::get_if<ProtocolFault>(&rule))
+    fail(ExitCode::protocol_violation, each,
+         fmt::format("sent {}, but {} (view {}, fault {})", name(word), sentence(*fault), name(each.view),
+                     name(*fault)));
+  const auto& step = std::get<CouplerStep>(rule);
+  each.view = step.next;
+  each.last_word = Clock::now();
+  switch (step.action) {
+    case CouplerAction::take:
       each.answer = std::move(message);
-      if (each.said_bye) channel_.send(received.peer, Message(MessageType::bye));
-    }
-    return;
+      break;
+    case CouplerAction::release:
+      each.answer = std::move(message);
+      if (each.process) deaths_.remove(each.process->descriptor());
+      say(each, Message(MessageType::bye));
+      break;
+    case CouplerAction::note:
+      hear_progress(each, message);
+      break;
+    case CouplerAction::hear_failure:
+      hear_failure(each, message);
+    case CouplerAction::greet:
+    case CouplerAction::ignore:
+      break;
   }
-  log::warn(fmt::format("{} from an unknown peer was ignored", name(message.type)));
+  show(each);
+}
+
+void Trio::hear_progress(Participant& each, const Message& message) {
+  each.phase = message.body.value("phase", each.phase);
+  each.count = message.body.value("count", each.count);
+  hear_stop_request(each, message);
 }
 
 /// A participant that was told to end is still needed until the next coupling time.
@@ -190,91 +244,88 @@ void Trio::hear_stop_request(const Participant& participant, const Message& prog
   status_.request_stop(signal);
 }
 
-void Trio::greet(PeerNumber peer, const Message& hello) {
-  const auto role_text = hello.value<std::string>("role");
-  for (Participant& each : participants_) {
-    if (role_text != name(each.role)) continue;
-    if (each.peer) {
-      reject(peer, fmt::format("the role {} is held by process {}", role_text, each.identity.pid));
-      return;
-    }
-    each.peer = peer;
-    each.identity = {hello.value<std::string>("solver"), hello.value<std::string>("version"),
-                     hello.value<long>("pid")};
-    each.last_word = Clock::now();
-    each.asked = "WELCOME";
-    Message welcome(MessageType::welcome);
-    welcome.body = {{"run_id", run_id_},
-                    {"case", run_case_},
-                    {"resumes", start_ == Start::resuming},
-                    {"threads", each.role == Role::structure ? options_.threads : 1},
-                    {"coupler_deadline", options_.deadlines.progress}};
-    channel_.send(peer, std::move(welcome));
+void Trio::hear_failure(Participant& each, const Message& message) {
+  each.phase = message.body.value("phase", each.phase);
+  const int code = message.body.value("exit_code", static_cast<int>(ExitCode::internal));
+  const bool ours =
+      code >= static_cast<int>(ExitCode::case_invalid) && code <= static_cast<int>(ExitCode::internal);
+  fail(ours ? static_cast<ExitCode>(code) : ExitCode::internal, each,
+       "reports: " + message.body.value("reason", std::string("no reason")));
+}
+
+// ---- who takes part ---------------------------------------------------------------------------------
+
+void Trio::hear_stranger(PeerNumber peer, const Message& message) {
+  const Word word = word_of(message);
+  if (word != Word::hello) {
+    log::warn(fmt::format("{} from an unknown peer was ignored", name(message.type)));
     return;
   }
-  reject(peer, "there is no role " + role_text);
+  try {
+    const auto role_text = message.value<std::string>("role");
+    for (Participant& each : participants_) {
+      if (role_text != name(each.role)) continue;
+      if (std::holds_alternative<ProtocolFault>(reaction(each.role, each.view, word)))
+        refuse(peer, ExitCode::role_taken,
+               fmt::format("the role {} is held by process {}", role_text, each.identity.pid), message.body);
+      else
+        greet(peer, each, message);
+      return;
+    }
+    refuse(peer, ExitCode::mismatch, "there is no role " + role_text, message.body);
+  } catch (const ProtocolError& fault) {
+    refuse(peer, ExitCode::mismatch, fmt::format("its HELLO is wrong: {}", fault.what()), message.body);
+  }
 }
 
-void Trio::reject(PeerNumber peer, const std::string& reason) {
+void Trio::greet(PeerNumber peer, Participant& each, const Message& hello) {
+  ParticipantIdentity identity{
+      hello.value<std::string>("solver"), hello.value<std::string>("version"), hello.value<long>("pid"), {}};
+  if (hello.body.contains("capabilities"))
+    identity.capabilities = hello.value<std::set<std::string, std::less<>>>("capabilities");
+  if (start_ == Start::resuming && !identity.capabilities.contains("restore")) {
+    refuse(peer, ExitCode::mismatch, fmt::format("{} cannot take up a run at a checkpoint", identity.solver),
+           hello.body);
+    return;
+  }
+  each.peer = peer;
+  each.identity = std::move(identity);
+  each.last_word = each.asked_at = Clock::now();
+  each.asked = "WELCOME";
+  if (each.process) each.memory.emplace(each.process->pid());
+  Message welcome(MessageType::welcome);
+  welcome.body = {{"run_id", run_id_},
+                  {"case", run_case_},
+                  {"resumes", start_ == Start::resuming},
+                  {"threads", each.role == Role::structure ? options_.threads : 1},
+                  {"coupler_deadline", options_.deadlines.progress}};
+  say(each, std::move(welcome));
+  show(each);
+}
+
+// A stranger does not disturb the run; but if it is the process that was to take the part, the run cannot
+// begin.
+void Trio::refuse(PeerNumber peer, ExitCode code, const std::string& reason, const nlohmann::json& hello) {
   log::warn("a participant was refused: " + reason);
   Message message(MessageType::reject);
-  message.body["reason"] = reason;
-  channel_.send(peer, std::move(message));
-}
-
-void Trio::watch_processes() {
-  for (Participant& each : participants_) {
-    if (!each.process || each.said_bye || ending_) continue;
-    if (const std::optional<ProcessEnd> end = each.process->end()) {
-      hear_last_words();
-      const bool silent = !end->signal && !each.peer;
-      fail(ExitCode::participant_died, each, end->sentence() + (silent ? " before it introduced itself" : ""));
-    }
-    if (!each.process->stopped()) {
-      each.stopped_since.reset();
-    } else if (!each.stopped_since) {
-      each.stopped_since = Clock::now();
-    } else if (since(*each.stopped_since) > stop_tolerance) {
-      fail(ExitCode::participant_unresponsive, each, "is stopped by a signal");
-    }
+  message.body = {{"reason", reason}, {"exit_code", static_cast<int>(code)}};
+  try {
+    channel_.send(peer, std::move(message));
+  } catch (const ProtocolError& fault) {
+    log::warn(fault.what());
   }
-}
-
-// What a participant still managed to say goes before how it ended.
-void Trio::hear_last_words() {
-  const Clock::time_point start = Clock::now();
-  while (since(start) < last_words) {
-    CouplerChannel::Event event = channel_.wait(tick, {});
-    if (auto* received = std::get_if<CouplerChannel::Received>(&event)) handle(std::move(*received));
-  }
-}
-
-void Trio::check_silence(Participant& waiting_for, double deadline) {
-  if (since(waiting_for.last_word) <= deadline) return;
-  watch_processes();
-  if (!waiting_for.peer)
-    fail(ExitCode::participant_unresponsive, waiting_for, fmt::format("did not introduce itself in {} s", deadline));
-  fail(ExitCode::participant_unresponsive, waiting_for, fmt::format("is alive but made no progress for {} s", deadline));
-}
-
-void Trio::keep_alive() {
-  const Clock::time_point now = Clock::now();
-  if (now < next_keep_alive_) return;
-  next_keep_alive_ = now + std::chrono::duration_cast<Clock::duration>(keep_alive_interval);
+  const auto pid = hello.find("pid");
   for (Participant& each : participants_) {
-    if (!each.peer || each.said_bye || (each.process && each.process->end())) continue;
-    Message progress(MessageType::progress);
-    progress.body = {{"phase", status_.phase()}, {"count", status_.beats()}};
-    try {
-      channel_.send(*each.peer, std::move(progress));
-    } catch (const ProtocolError&) {
-      // A stopped participant does not empty its queue; watch_processes tells.
-    }
+    if (each.view != CouplerView::absent) continue;
+    each.refusal = reason;
+    if (each.process && pid != hello.end() && *pid == each.process->pid())
+      fail(code, each, "was refused: " + reason);
   }
 }
 
 std::string Trio::situation(const Participant& participant) const {
-  return fmt::format("interval {}, asked for {}, phase {}", participant.interval, participant.asked, participant.phase);
+  return fmt::format("interval {}, asked for {}, phase {}", participant.interval, participant.asked,
+                     participant.phase);
 }
 
 void Trio::fail(ExitCode code, const Participant& participant, const std::string& cause) {

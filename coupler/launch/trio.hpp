@@ -3,15 +3,23 @@
 
 #include <array>
 #include <chrono>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/case/case.hpp"
 #include "common/exchange/channel.hpp"
 #include "common/exchange/participant.hpp"
+#include "common/exchange/protocol_table.hpp"
 #include "coupler/launch/child_process.hpp"
+#include "coupler/launch/death_watch.hpp"
+#include "coupler/launch/memory_kills.hpp"
+#include "coupler/launch/process_activity.hpp"
+#include "coupler/launch/progress_ladder.hpp"
 #include "coupler/launch/status_page.hpp"
 
 namespace fissura::coupler {
@@ -23,12 +31,19 @@ struct ParticipantFailure : Error {
   Role role;
 };
 
+/// Told of what does not end a run: `event` is "stopped", "no progress", "diagnosis" or "refused".
+using TrioWarning = std::function<void(Role role, const char* event, const std::string& text)>;
+
 struct TrioOptions {
-  std::string endpoint;                   ///< to bind, ipc://... or tcp://127.0.0.1:*
-  /// Shell command of each Role; `--connect ENDPOINT` is appended. Nothing: somebody else starts that participant, and it is awaited.
+  std::string endpoint;  ///< to bind, ipc://... or tcp://127.0.0.1:*
+  /// Shell command of each Role; `--connect ENDPOINT` is appended. Nothing: somebody else starts that
+  /// participant, and it is awaited.
   std::array<std::optional<std::string>, 2> command;
-  int threads = 1;                        ///< of the structure
+  int threads = 1;  ///< of the structure
   Deadlines deadlines;
+  bool debug_attach =
+      false;  ///< a debugger may hold a participant: neither silence nor being stopped ends the run
+  TrioWarning on_warning = {};  ///< without it warnings go to the log
 };
 
 /// Where a run begins: at time 0, or at a checkpoint that RESTORE brings next.
@@ -38,22 +53,30 @@ enum class Start { fresh, resuming };
 struct ParticipantIdentity {
   std::string solver, version;
   long pid = 0;
+  std::set<std::string, std::less<>> capabilities;
 };
 
-/// The coupler's two participants: started, greeted, asked, watched, ended. Every wait ends: with the answer, or with a
-/// ParticipantFailure naming the participant, what it was asked, and the cause.
+/// The coupler's two participants: started, greeted, asked, watched, ended. Every wait ends: with the answer,
+/// or with a ParticipantFailure naming the participant, what it was asked, and the cause. What may be said
+/// when, and what follows from what is heard, is looked up in protocol_table.hpp. What is known of the
+/// participants is shown on the status page.
 class Trio {
  public:
   /// @param epoch  how often the run has been resumed
   Trio(const TrioOptions& options, const RunId& run, std::uint32_t epoch, StatusPage& status);
   ~Trio();
 
-  /// Starts or awaits both participants and gives them the case. Returns when both have said HELLO. Next comes, from Start::fresh, the
-  /// structure's TOPOLOGY; from Start::resuming, RESTORE to both.
+  /// Starts or awaits both participants and gives them the case. Returns when both have said HELLO. Next
+  /// comes, from Start::fresh, the structure's TOPOLOGY; from Start::resuming, RESTORE to both.
   void start(const nlohmann::json& run_case, Start start);
 
   [[nodiscard]] const ParticipantIdentity& identity(Role role) const { return participant(role).identity; }
+  /// Whether the participant said in HELLO that it can do this, e.g. "save".
+  [[nodiscard]] bool can(Role role, std::string_view capability) const {
+    return participant(role).identity.capabilities.contains(capability);
+  }
 
+  /// Throws Error(internal) if the protocol does not allow `command` now.
   void send(Role role, Message command);
   /// The answer to the last command sent to `role`.
   Message await(Role role, MessageType expected);
@@ -72,16 +95,22 @@ class Trio {
   using Clock = std::chrono::steady_clock;
   struct Participant {
     Role role = Role::structure;
-    std::optional<ChildProcess> process;
+    CouplerView view = CouplerView::absent;
+    std::optional<ChildProcess> process;  ///< if it was started here
+    std::optional<MemoryKillWatch> memory;
     std::optional<PeerNumber> peer;
     ParticipantIdentity identity;
     std::optional<Message> answer;
-    std::string asked = "HELLO";              ///< what it was asked last
+    std::string asked = "HELLO";  ///< what it was asked last
     std::uint64_t interval = 0;
-    std::string phase = "start";              ///< as of its last PROGRESS
-    Clock::time_point last_word{};
+    std::string phase = "start";  ///< as of its last PROGRESS
+    std::uint64_t count = 0;
+    Clock::time_point asked_at{}, last_word{};
     std::optional<Clock::time_point> stopped_since;
-    bool said_bye = false;
+    ProgressLadder ladder{0};
+    std::optional<ProcessActivity> activity_when_warned;
+    Clock::time_point warned_at{};
+    std::string refusal;  ///< why somebody who claimed this role was refused
     double waited = 0;
   };
 
@@ -90,27 +119,45 @@ class Trio {
     return participants_[static_cast<std::size_t>(role)];
   }
 
+  void start_process(Participant& each);
+  void say(Participant& target, Message message);
+
   void handle_next_event(Seconds patience);
-  void handle(CouplerChannel::Received&& received);
+  bool handle(CouplerChannel::Event&& event);
+  void hear(Participant& each, Message&& message);
+  void hear_progress(Participant& each, const Message& message);
   void hear_stop_request(const Participant& participant, const Message& progress);
-  void greet(PeerNumber peer, const Message& hello);
-  void reject(PeerNumber peer, const std::string& reason);
+  [[noreturn]] void hear_failure(Participant& each, const Message& message);
+  void hear_stranger(PeerNumber peer, const Message& message);
+  void greet(PeerNumber peer, Participant& each, const Message& hello);
+  void refuse(PeerNumber peer, ExitCode code, const std::string& reason, const nlohmann::json& hello);
+  void peer_lost(Participant& each);
+
   void watch_processes();
-  void hear_last_words();
-  void check_silence(Participant& waiting_for, double deadline);
+  [[noreturn]] void process_ended(Participant& each);
+  void watch_stop(Participant& each);
+  void hear_last_words(const Participant& each);
+  void watch_silence(Participant& each);
+  void climb_ladder(Participant& each, double silent_seconds);
+  [[nodiscard]] std::string activity(const Participant& each) const;
+  [[nodiscard]] bool dump_stack(const Participant& each) const;
+  void wait_for_end(Participant& each);
   void keep_alive();
+  void show(const Participant& each);
+
+  void warn(const Participant& each, const char* event, const std::string& text) const;
   [[nodiscard]] std::string situation(const Participant& participant) const;
   [[noreturn]] void fail(ExitCode code, const Participant& participant, const std::string& cause);
 
   TrioOptions options_;
   StatusPage& status_;
   CouplerChannel channel_;
+  DeathWatch deaths_;
   std::array<Participant, 2> participants_;
   nlohmann::json run_case_;
   Start start_ = Start::fresh;
   std::string run_id_;
   Clock::time_point next_keep_alive_{};
-  bool ending_ = false;
 };
 
 }  // namespace fissura::coupler

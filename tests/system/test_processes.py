@@ -113,8 +113,8 @@ class DyingProcesses(unittest.TestCase):
 class Start(unittest.TestCase):
     def test_a_program_that_does_not_exist(self):
         with Run("--network", "/nowhere/solver") as run:
-            self.assertEqual(run.wait(), 20, run.errors)
-            self.assertIn("network ended with exit code 127 (command not found)", run.last_line)
+            self.assertEqual(run.wait(), 11, run.errors)
+            self.assertIn("network cannot be started: /nowhere/solver: No such file or directory", run.last_line)
 
     def test_a_program_that_never_says_hello(self):
         with Run("--network", "sleep 100 #", "--set", 'deadlines.join="1 s"') as run:

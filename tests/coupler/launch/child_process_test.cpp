@@ -51,7 +51,7 @@ TEST_CASE("a process that a signal ends tells which", "[coupler][launch]") {
   REQUIRE(child.wait(patience));
   REQUIRE(child.end()->signal.has_value());
   CHECK(*child.end()->signal == SIGKILL);
-  CHECK(child.end()->sentence() == "was killed by signal 9 (Killed)");
+  CHECK(child.end()->sentence() == "was killed by signal 9 (SIGKILL, Killed)");
 }
 
 TEST_CASE("the end of a process makes its descriptor readable", "[coupler][launch]") {

@@ -111,7 +111,7 @@ TEST_CASE("a worker that a signal ends is named with the signal", "[coupler][lau
           return ::raise(SIGSEGV);
         }) == 20);
   CHECK(run.report()["participant"] == "coupler");
-  CHECK(run.report()["cause"] == "the coupler's worker was killed by signal 11 (Segmentation fault)");
+  CHECK(run.report()["cause"] == "the coupler's worker was killed by signal 11 (SIGSEGV, Segmentation fault)");
 }
 
 TEST_CASE("a worker without a beat is ended at the deadline", "[coupler][launch]") {
