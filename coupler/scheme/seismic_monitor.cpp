@@ -2,12 +2,18 @@
 #include "coupler/scheme/seismic_monitor.hpp"
 
 #include <chrono>
+#include <cstdint>
+
+#include "common/byte_archive.hpp"
+#include "common/errors.hpp"
 
 namespace fissura::coupler {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+const std::string format_of_state = "seismicity 1";
 
 /// Adds the time until it goes out of scope.
 class Watch {
@@ -22,6 +28,43 @@ class Watch {
   Clock::time_point start_ = Clock::now();
 };
 
+struct SavedMonitor {
+  std::optional<FileMark> catalogue;
+  double wall_seconds = 0;
+  std::vector<std::byte> extraction;
+};
+
+std::vector<std::byte> bytes_of(const SavedMonitor& saved) {
+  ByteWriter archive;
+  archive.put(format_of_state);
+  archive.put(static_cast<std::uint8_t>(saved.catalogue.has_value()));
+  archive.put(saved.catalogue.value_or(FileMark()).bytes);
+  archive.put(saved.catalogue.value_or(FileMark()).crc32);
+  archive.put(saved.wall_seconds);
+  archive.put(saved.extraction);
+  return archive.take();
+}
+
+SavedMonitor saved_monitor(const std::vector<std::byte>& bytes) {
+  ByteReader archive(bytes);
+  std::string format;
+  archive.get(format);
+  if (format != format_of_state)
+    throw Error(ExitCode::checkpoint_unusable,
+                "the state of the seismic monitor is of another version of the program");
+  SavedMonitor saved;
+  std::uint8_t has_catalogue = 0;
+  FileMark mark;
+  archive.get(has_catalogue);
+  archive.get(mark.bytes);
+  archive.get(mark.crc32);
+  archive.get(saved.wall_seconds);
+  archive.get(saved.extraction);
+  archive.end();
+  if (has_catalogue != 0) saved.catalogue = mark;
+  return saved;
+}
+
 }  // namespace
 
 SeismicMonitor::SeismicMonitor(const Case& run_case)
@@ -29,9 +72,35 @@ SeismicMonitor::SeismicMonitor(const Case& run_case)
 
 void SeismicMonitor::begin(const std::filesystem::path& folder, const std::string& run_id,
                            const std::string& started) {
-  if (!case_.seismicity.active) return;
-  catalogue_.emplace(
-      folder, CatalogueContext{run_id, case_.title, started, extraction_controls(case_), case_.georeference});
+  if (case_.seismicity.active) catalogue_.emplace(folder, context(run_id, started));
+}
+
+CatalogueContext SeismicMonitor::context(const std::string& run_id, const std::string& started) const {
+  return {run_id, case_.title, started, extraction_controls(case_), case_.georeference};
+}
+
+std::vector<std::byte> SeismicMonitor::save() {
+  SavedMonitor saved;
+  if (catalogue_) saved.catalogue = catalogue_->save();
+  saved.wall_seconds = wall_seconds_;
+  saved.extraction = extraction_.save();
+  return bytes_of(saved);
+}
+
+void SeismicMonitor::check(const std::filesystem::path& folder, const std::vector<std::byte>& bytes) {
+  const SavedMonitor saved = saved_monitor(bytes);
+  if (saved.catalogue) check_mark(Catalogue::growing_file(folder), *saved.catalogue);
+}
+
+void SeismicMonitor::resume(const std::filesystem::path& folder, const std::string& run_id,
+                            const std::string& started, const std::vector<std::byte>& bytes) {
+  check(folder, bytes);
+  const SavedMonitor saved = saved_monitor(bytes);
+  if (saved.catalogue.has_value() != case_.seismicity.active)
+    throw Error(ExitCode::checkpoint_unusable, "the saved catalogue is of a run with another [seismicity]");
+  extraction_.restore(saved.extraction);
+  wall_seconds_ = saved.wall_seconds;
+  if (saved.catalogue) catalogue_.emplace(folder, context(run_id, started), *saved.catalogue);
 }
 
 void SeismicMonitor::listen(double time, const std::vector<SourceRecord>& sources) {

@@ -16,7 +16,8 @@
 namespace fissura::coupler {
 
 /// Makes events of what the structure tells, and a catalogue of events, while the run goes on. Call order:
-/// constructor; begin; any number of listen and flush; finish. Without begin nothing is written.
+/// constructor; begin or resume; any number of listen, flush and save; finish. Without begin nothing is
+/// written.
 class SeismicMonitor {
  public:
   explicit SeismicMonitor(const Case& run_case);
@@ -24,6 +25,20 @@ class SeismicMonitor {
   /// Begins the catalogue in `folder`, which is created. `run_id` and `started` are those of run.json.
   /// Nothing if the case wants no seismicity. Throws StorageError.
   void begin(const std::filesystem::path& folder, const std::string& run_id, const std::string& started);
+
+  /// Waits until the disk has the catalogue so far and returns everything that later events depend on, for a
+  /// checkpoint: how far the catalogue has come, sources and clusters that are still open, sums. Throws
+  /// StorageError.
+  [[nodiscard]] std::vector<std::byte> save();
+
+  /// Whether a run can go on in `folder` from `bytes` of save(): throws Error(checkpoint_unusable), naming
+  /// the file, if the catalogue is shorter than it was or is another up to there. Changes nothing.
+  static void check(const std::filesystem::path& folder, const std::vector<std::byte>& bytes);
+
+  /// In place of begin(): goes on from where save() found it. Throws as check(), before anything is changed,
+  /// and StorageError.
+  void resume(const std::filesystem::path& folder, const std::string& run_id, const std::string& started,
+              const std::vector<std::byte>& bytes);
 
   /// Takes the sources of the interval that ends at `time` [s]; events that can no longer change enter the
   /// catalogue. Throws StorageError.
@@ -50,6 +65,8 @@ class SeismicMonitor {
   [[nodiscard]] double wall_seconds() const { return wall_seconds_; }
 
  private:
+  [[nodiscard]] CatalogueContext context(const std::string& run_id, const std::string& started) const;
+
   const Case& case_;
   Extraction extraction_;
   std::optional<Catalogue> catalogue_;

@@ -40,20 +40,20 @@ const char* file_of(CatalogueFormat format) {
 constexpr std::array all_formats{CatalogueFormat::csv, CatalogueFormat::hdf5, CatalogueFormat::points,
                                  CatalogueFormat::quakeml};
 
-/// Leaves nothing of an earlier catalogue, which would not go with what is written now.
-void make_room(const fs::path& directory) {
+/// Leaves nothing of an earlier catalogue but `kept`, which would not go with what is written now.
+void make_room(const fs::path& directory, const std::set<CatalogueFormat>& kept) {
   std::error_code failure;
   fs::create_directories(directory, failure);
   for (const CatalogueFormat format : all_formats)
-    if (!failure) fs::remove(directory / file_of(format), failure);
+    if (!failure && !kept.contains(format)) fs::remove(directory / file_of(format), failure);
   if (!failure) fs::remove(directory / summary_name, failure);
   if (failure)
     throw StorageError(
         fmt::format("cannot make room for a catalogue in {}: {}", directory.string(), failure.message()));
 }
 
-const fs::path& with_room(const fs::path& directory) {
-  make_room(directory);
+const fs::path& with_room(const fs::path& directory, const std::set<CatalogueFormat>& kept) {
+  make_room(directory, kept);
   return directory;
 }
 
@@ -108,7 +108,7 @@ void write_catalogue(const fs::path& directory, const std::vector<SeismicEvent>&
                      const SeismicSums& sums, const CatalogueContext& context, const ordered_json& analysis,
                      const CatalogueChoice& choice) {
   if (choice.formats.contains(CatalogueFormat::quakeml)) (void)quakeml({}, context);
-  make_room(directory);
+  make_room(directory, {});
   if (choice.formats.contains(CatalogueFormat::csv))
     write_whole_file(directory / file_of(CatalogueFormat::csv), whole_csv(events, context));
   write_others(directory, events, sums, context, analysis, choice);
@@ -150,7 +150,23 @@ double conservation_error(const SeismicSums& sums) {
 Catalogue::Catalogue(const fs::path& directory, CatalogueContext context)
     : directory_(directory),
       context_(std::move(context)),
-      csv_(with_room(directory) / file_of(CatalogueFormat::csv)) {}
+      csv_(with_room(directory, {}) / file_of(CatalogueFormat::csv)) {}
+
+Catalogue::Catalogue(const fs::path& directory, CatalogueContext context, const FileMark& mark)
+    : directory_(directory),
+      context_(std::move(context)),
+      csv_(growing_file(with_room(directory, {CatalogueFormat::csv})), mark),
+      events_(read_catalogue_csv(growing_file(directory))) {}
+
+fs::path Catalogue::growing_file(const fs::path& directory) {
+  return directory / file_of(CatalogueFormat::csv);
+}
+
+FileMark Catalogue::save() {
+  csv_.sync();
+  sync_to_disk(directory_);
+  return csv_.mark();
+}
 
 void Catalogue::append(const std::vector<SeismicEvent>& events) {
   csv_.append(events, context_);

@@ -47,11 +47,23 @@ nlohmann::ordered_json catalogue_summary(const SeismicSums& sums, const Catalogu
 /// extraction, where nothing is open.
 double conservation_error(const SeismicSums& sums);
 
-/// A catalogue that grows with its run. Call order: constructor, any number of append and flush, finish.
+/// A catalogue that grows with its run. Call order: constructor, any number of append, flush and save,
+/// finish.
 class Catalogue {
  public:
   /// Creates `directory`, removes an earlier catalogue there and begins catalogue.csv. Throws StorageError.
   Catalogue(const std::filesystem::path& directory, CatalogueContext context);
+
+  /// Goes on with the catalogue in `directory` as save() left it: catalogue.csv is cut off at `mark` and its
+  /// events are read again, every bit as they were; the other files go. @pre check_mark of catalogue.csv.
+  /// Throws StorageError, and InputError if the file holds what no event has.
+  Catalogue(const std::filesystem::path& directory, CatalogueContext context, const FileMark& mark);
+
+  /// Path of catalogue.csv in the folder of a catalogue.
+  static std::filesystem::path growing_file(const std::filesystem::path& directory);
+
+  /// Waits until the disk has all lines. @returns how far catalogue.csv has come. Throws StorageError.
+  FileMark save();
 
   /// Appends events to catalogue.csv (buffered). Throws StorageError.
   void append(const std::vector<SeismicEvent>& events);

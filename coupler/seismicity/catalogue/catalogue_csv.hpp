@@ -21,11 +21,14 @@ class CatalogueCsv {
  public:
   /// Creates or empties `file` and hands the header to the system.
   explicit CatalogueCsv(const std::filesystem::path& file);
+  /// Goes on with `file` at `mark`, see CheckedFile.
+  CatalogueCsv(const std::filesystem::path& file, const FileMark& mark) : file_(file, mark) {}
 
   /// Appends the events (buffered).
   void append(const std::vector<SeismicEvent>& events, const CatalogueContext& context);
   void flush() { file_.flush(); }
   void sync() { file_.sync(); }
+  [[nodiscard]] const FileMark& mark() const { return file_.mark(); }
 
  private:
   CheckedFile file_;
