@@ -269,6 +269,8 @@ class MessageRow:
 # The last word of a conversation: nothing comes after it that could tell.
 LAST_WORDS = ("FINISH", "BYE")
 LOST = "21|22"  # found by the next message of that direction, or by the deadline if none comes
+# Before its HELLO a peer has no name: what it sends is ignored with a warning, and the participant never introduces itself.
+NOT_KNOWN_YET = (("HELLO", "21"),)
 MESSAGE_ROWS = (
     MessageRow("lost message", {"do": "drop"}, LOST, within=5),
     MessageRow("message twice", {"do": "duplicate"}, "22", r"came twice|already|not expected|no answer|twice|again|state", without=("BYE", "FINISH")),
@@ -277,15 +279,15 @@ MESSAGE_ROWS = (
     MessageRow("too late message", {"do": "delay", "seconds": 8}, "21", SILENT, within=6, types=("WELCOME", "ADVANCE", "INSERT", "RESPONSE", "PRESSURE",
                                                                                       "ACKNOWLEDGE", "HELLO", "FINISH", "BYE", "STATE")),
     MessageRow("clogged for a moment", {"do": "clog", "seconds": 0.4}, "0", types=("ADVANCE", "INSERT", "RESPONSE", "PRESSURE", "STATE", "BYE")),
-    MessageRow("cut short", {"do": "truncate"}, "22"),
-    MessageRow("envelope cut short", {"do": "truncate", "frame": 0, "bytes": 7}, "22"),
-    MessageRow("bit flipped in the envelope", {"do": "flip", "frame": 0, "bit": 200}, "22"),
-    MessageRow("bit flipped in the body", {"do": "flip", "frame": 1, "bit": 3}, "22"),
-    MessageRow("bit flipped at the end", {"do": "flip", "bit": 1}, "22"),
+    MessageRow("cut short", {"do": "truncate"}, "22", within=5, exceptions=NOT_KNOWN_YET),
+    MessageRow("envelope cut short", {"do": "truncate", "frame": 0, "bytes": 7}, "22", within=5, exceptions=NOT_KNOWN_YET),
+    MessageRow("bit flipped in the envelope", {"do": "flip", "frame": 0, "bit": 200}, "22", within=5, exceptions=NOT_KNOWN_YET),
+    MessageRow("bit flipped in the body", {"do": "flip", "frame": 1, "bit": 3}, "22", within=5, exceptions=NOT_KNOWN_YET),
+    MessageRow("bit flipped at the end", {"do": "flip", "bit": 1}, "22", within=5, exceptions=NOT_KNOWN_YET),
     MessageRow("from another run", {"do": "restamp", "stamp": "run", "shift": 1}, "22", "another run|run", without=("HELLO", "WELCOME")),
     MessageRow("from another epoch", {"do": "restamp", "stamp": "epoch", "shift": 1}, "22", "epoch", without=("HELLO", "WELCOME")),
-    MessageRow("sequence number gap", {"do": "restamp", "stamp": "sequence", "shift": 3}, "22", "lost"),
-    MessageRow("type unknown", {"do": "restamp", "stamp": "type", "value": 99}, "22", "type|99|UNKNOWN|unknown"),
+    MessageRow("sequence number gap", {"do": "restamp", "stamp": "sequence", "shift": 3}, "22", "lost", within=5, exceptions=NOT_KNOWN_YET),
+    MessageRow("type unknown", {"do": "restamp", "stamp": "type", "value": 99}, "22", "type|99|UNKNOWN|unknown", within=5, exceptions=NOT_KNOWN_YET),
     MessageRow("type out of place", {"do": "restamp", "stamp": "type", "value": 42}, "22", "", without=("HELLO",)),
     MessageRow("another major version", {"do": "restamp", "stamp": "major", "shift": 1}, "13|22", "version|protocol"),
     MessageRow("a higher minor version", {"do": "restamp", "stamp": "minor", "shift": 1}, "0"),
@@ -295,7 +297,7 @@ MESSAGE_ROWS = (
     MessageRow("connection cut", {"do": "cut"}, "20|21", "connection|closed", within=1),
     MessageRow("one direction dead", {"do": "half_open"}, LOST, within=5, types=("WELCOME", "ADVANCE", "INSERT", "RESPONSE", "PRESSURE", "ACKNOWLEDGE", "STATE", "SAVE")),
     MessageRow("too large", {"do": "oversize", "bytes": 900_000_000}, "20|21|22", "", within=5, types=("ADVANCE", "RESPONSE", "PRESSURE", "HELLO", "STATE")),
-    MessageRow("nonsense before it", {"do": "nonsense", "bytes": 1000}, "22"),
+    MessageRow("nonsense before it", {"do": "nonsense", "bytes": 1000}, "22", exceptions=(("HELLO", "0"),)),
 )
 ARRAYS = {"ADVANCE": {"network": ("aperture", "compliance"), "structure": ("pressure_begin", "pressure_end")},
           "PRESSURE": {"network": ("pressure", "aperture_predicted", "filled")}, "RESPONSE": {"structure": ("aperture", "pressure_applied")},
@@ -320,7 +322,7 @@ def message_cells():
                 if (row.types and kind not in row.types) or kind in row.without:
                     continue
                 code = dict(row.exceptions).get(kind, row.code)
-                end = CLEAN if code == "0" else End(code, "structure|network|coupler", row.says)
+                end = CLEAN if code == "0" else End(code, "structure|network|coupler", row.says if code == row.code else "")
                 yield Cell(row.name, place, end, faults=({**words, **row.do},), within=row.within, resumes="no" if code == "0" else "same bytes",
                            needs=needs)
     for role in PARTICIPANTS:
@@ -331,7 +333,7 @@ def message_cells():
                     yield Cell(f"value on the way: {name}", f"{place} {field}", End("22|23", "structure|network|coupler", field.split("_")[0]),
                                faults=({**words, "do": "poison", "field": field, "index": 0, "value": Bare(value)},), needs=needs)
                 yield Cell("array of another length", f"{place} {field}", End(22, "structure|network|coupler", ""),
-                           faults=({**words, "do": "resize", "field": field, "length": 3},), needs=needs)
+                           faults=({**words, "do": "resize", "field": field, "length": 1},), needs=needs)
 
 
 class Bare(str):
