@@ -48,6 +48,24 @@ class Watching(Ends):
         self.assertEqual(answer.returncode, 0, answer.stderr)
         return json.loads(answer.stdout)
 
+    def test_while_a_participant_is_stopped_the_answer_names_it_at_once(self):
+        with Run(*LONG) as run:
+            run.wait_until_running(segments=1)
+            os.kill(run.pids("network")[0], signal.SIGSTOP)
+            time.sleep(0.2)
+            seconds = []
+            for _ in range(3):  # the least of three: a busy machine may hold one of them
+                start = time.monotonic()
+                answer = coupler("status", "--json", run.directory)
+                seconds.append(time.monotonic() - start)
+            found = json.loads(answer.stdout)
+            os.kill(run.pids("network")[0], signal.SIGCONT)
+            self.assertEqual(found["waits_for"], ["network"])
+            network = found["participants"]["network"]
+            self.assertEqual((network["asked"], network["process"]), ("ADVANCE", "stopped"))
+            self.assertGreater(network["asked_seconds"], 0.1)
+            self.assertLess(min(seconds), 0.1)
+
     def test_a_run_that_ended_tells_how_and_how_to_go_on(self):
         with Run("--fault", "structure@20=kill") as run:
             end = self.check_end(run, 20, "Resume: coupler resume")
