@@ -146,7 +146,12 @@ std::vector<Array> arrays_of(const std::vector<SourceRecord>& records) {
 
 std::vector<SourceRecord> records_of(const std::vector<Array>& arrays) {
   const Array* first = find(arrays, "source_kind");
-  if (first == nullptr) return {};
+  if (first == nullptr) {
+    for (const Array& array : arrays)
+      if (array.name.starts_with("source_"))
+        throw ProtocolError(fmt::format("{} came without source_kind", array.name));
+    return {};
+  }
   if (first->shape.empty()) throw ProtocolError("source_kind has no rows");
   const std::size_t rows = first->shape.front();
   const auto kinds = values_in<std::uint8_t>(arrays, "source_kind", "uint8", rows, flags);

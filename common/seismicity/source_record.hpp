@@ -77,7 +77,7 @@ bool comes_before(const SourceRecord& a, const SourceRecord& b);
 /// 3: begin, end, centroid], ...; docs/protocol.md lists them. Lossless. No array without records.
 std::vector<Array> arrays_of(const std::vector<SourceRecord>& records);
 
-/// The records in such arrays; arrays of other names are passed over. No record if there is no `source_kind`.
+/// The records in such arrays; arrays of other names are passed over. No record if there is none of them.
 /// Throws ProtocolError if an array is missing, of another type or length, or holds an unknown kind;
 /// ValueError if a value is not finite.
 std::vector<SourceRecord> records_of(const std::vector<Array>& arrays);

@@ -85,7 +85,8 @@ std::vector<Point> march(const RockNow& rock, const MarchStart& start, int steps
 
 std::optional<std::vector<SegmentEnd>> failure_path(const RockNow& rock, const FailureMap& map,
                                                     const FractureTip& tip) {
-  const auto& [model, geometry, state] = rock;
+  const StructureModel& model = rock.model;
+  const Geometry& geometry = rock.geometry;
   const Growth& growth = model.run_case.growth;
   const double h = model.run_case.mesh.tip_size;
   const auto near =

@@ -23,12 +23,33 @@ SourceRecord record(double first) {
   r.interval = 41;
   r.geometry = 3;
   double next = first;
-  for (double* value :
-       {&r.begin, &r.end, &r.centroid_time, &r.position[0], &r.position[1], &r.extent, &r.element_size,
-        &r.normal[0], &r.normal[1], &r.jump[0], &r.jump[1], &r.moment[0], &r.moment[1], &r.moment[2],
-        &r.moment[3], &r.pseudo_moment[0], &r.pseudo_moment[1], &r.pseudo_moment[2], &r.pseudo_moment[3],
-        &r.measure, &r.peak_rate, &r.shear_before, &r.shear_after, &r.normal_before, &r.normal_after,
-        &r.fluid_pressure, &r.mass_scale})
+  for (double* value : {&r.begin,
+                        &r.end,
+                        &r.centroid_time,
+                        &r.position[0],
+                        &r.position[1],
+                        &r.extent,
+                        &r.element_size,
+                        &r.normal[0],
+                        &r.normal[1],
+                        &r.jump[0],
+                        &r.jump[1],
+                        &r.moment[0],
+                        &r.moment[1],
+                        &r.moment[2],
+                        &r.moment[3],
+                        &r.pseudo_moment[0],
+                        &r.pseudo_moment[1],
+                        &r.pseudo_moment[2],
+                        &r.pseudo_moment[3],
+                        &r.measure,
+                        &r.peak_rate,
+                        &r.shear_before,
+                        &r.shear_after,
+                        &r.normal_before,
+                        &r.normal_after,
+                        &r.fluid_pressure,
+                        &r.mass_scale})
     *value = next += 0.1;
   return r;
 }
@@ -82,4 +103,12 @@ TEST_CASE("records have one order, whatever order they come in", "[seismicity]")
   CHECK(std::is_sorted(sorted.begin(), sorted.end(),
                        [](const SourceRecord& a, const SourceRecord& b) { return a.end < b.end; }));
   CHECK(in_bulk(sorted.front().kind));
+}
+
+TEST_CASE("records of sources without their kinds are refused, not passed over", "[common][seismicity]") {
+  std::vector<Array> arrays = arrays_of({SourceRecord{}});
+  REQUIRE(arrays.front().name == "source_kind");
+  arrays.erase(arrays.begin());
+  CHECK_THROWS_AS(records_of(arrays), ProtocolError);
+  CHECK(records_of({}).empty());
 }
