@@ -7,7 +7,9 @@
 
 namespace fissura {
 
-CouplingClock::CouplingClock(double end) : end_(end) { ENSURE(end > 0); }
+CouplingClock::CouplingClock(double end) : end_(end) {
+  ENSURE(end > 0);
+}
 
 CouplingInterval CouplingClock::next(double proposed, double must_hit) const {
   const double limit = std::min(must_hit, end_);
@@ -25,6 +27,13 @@ void CouplingClock::commit(const CouplingInterval& interval) {
   ENSURE(interval.index == index_ + 1 && interval.begin == time_ && interval.end > time_);
   index_ = interval.index;
   time_ = interval.end;
+}
+
+void CouplingClock::resume(std::uint64_t index, double time) {
+  if (!(time >= 0 && time <= end_))
+    throw Error(ExitCode::checkpoint_unusable, "the saved time lies outside the run");
+  index_ = index;
+  time_ = time;
 }
 
 }  // namespace fissura

@@ -40,7 +40,8 @@ void add_seismicity_options(CLI::App& command, fissura::coupler::SeismicityOptio
   command.add_option("--cluster-time", options.cluster_time, "likewise, in time");
   command.add_option("--rest-time", options.rest_time, "longest pause within one source");
   command.add_option("--slip-rate", options.slip_rate, "faces that move slower are aseismic");
-  command.add_option("--stress-drop", options.stress_drop, "faces that lose less shear traction are aseismic");
+  command.add_option("--stress-drop", options.stress_drop,
+                     "faces that lose less shear traction are aseismic");
   command.add_option("--failure-rate", options.failure_rate, "rock that opens slower is aseismic");
   command.add_option("--thickness", options.thickness, "out of the plane of an event")
       ->check(CLI::IsMember({"layer", "equidimensional"}));
@@ -76,7 +77,19 @@ int main(int argc, char** argv) {
   run->add_option("--fault", options.fault, "injects a fault: ROLE@INTERVAL=kill, stop, spin, fail, exit, nan, ...");
   run->add_option("--fault-plan", options.fault_plan, "injects the faults of this file (docs/operation.md)")
       ->type_name("FILE");
+  run->add_flag("--heal", options.heal, "goes on by itself after a process died or hung");
   run->add_flag("--json", options.json, "prints the summary as JSON");
+
+  fissura::coupler::ResumeOptions resume_options;
+  CLI::App* resume = program.add_subcommand("resume", "goes on with a run that ended before its time");
+  resume->add_option("RUN", resume_options.directory, "run directory")->required();
+  resume->add_option("--threads", resume_options.threads, "threads of the structure; as before if not given")
+      ->check(CLI::Range(1, 1024));
+  resume->add_option("--fault", resume_options.fault, "injects a fault, as in run");
+  resume->add_option("--fault-plan", resume_options.fault_plan, "injects the faults of this file, as in run")
+      ->type_name("FILE");
+  resume->add_flag("--heal", resume_options.heal, "goes on by itself after a process died or hung");
+  resume->add_flag("--json", resume_options.json, "prints the summary as JSON");
 
   CLI::App* check = program.add_subcommand("check", "every fault of a case, or what follows from it");
   add_case_options(*check, options.source, short_form);
@@ -111,6 +124,7 @@ int main(int argc, char** argv) {
     program.parse(argc, argv);
     if (short_form) options.source.variants.emplace_back("short");
     if (run->parsed()) return fissura::coupler::run_command(options);
+    if (resume->parsed()) return fissura::coupler::resume_command(resume_options);
     if (report->parsed()) return fissura::coupler::report_command(run_directory, page);
     if (status->parsed())
       return fissura::coupler::status_command(run_directory, as_json ? StatusForm::json : StatusForm::text);

@@ -11,6 +11,8 @@
 
 #include "common/case/units.hpp"
 #include "common/faults/process_fault.hpp"
+#include "coupler/cli/epochs.hpp"
+#include "coupler/cli/natural_fracture_files.hpp"
 #include "coupler/cli/run_worker.hpp"
 #include "coupler/faults/proxy.hpp"
 #include "coupler/launch/supervisor.hpp"
@@ -59,10 +61,10 @@ double end_of_run(const RunOptions& options, const Case& run_case) {
 }
 
 /// Every process of the run finds its part of the plan in the environment.
-void announce_faults(const RunOptions& options, const PreparedRun& run) {
-  if (options.fault) {
-    std::fprintf(stderr, "warning: a fault will be injected: %s\n", options.fault->c_str());
-    ::setenv("FISSURA_FAULT", options.fault->c_str(), 1);
+void announce_faults(const std::optional<std::string>& fault, const PreparedRun& run) {
+  if (fault) {
+    std::fprintf(stderr, "warning: a fault will be injected: %s\n", fault->c_str());
+    ::setenv("FISSURA_FAULT", fault->c_str(), 1);
   }
   if (run.fault_plan_file) {
     std::fprintf(stderr, "warning: faults will be injected: %zu in processes and %zu in messages, as %s says\n",
@@ -79,6 +81,28 @@ std::string relayed(const PreparedRun& run, const std::string& role, const std::
   return behind_proxy(sibling("fault_proxy"), *run.fault_plan_file, role, transcript, command);
 }
 
+void read_faults(const std::optional<std::string>& fault, const std::optional<std::filesystem::path>& plan,
+                 PreparedRun& run) {
+  if (fault) (void)parse_process_fault(*fault);
+  if (!plan) return;
+  run.fault_plan = read_fault_plan(*plan);
+  run.fault_plan_file = std::filesystem::absolute(*plan);
+}
+
+/// Runs under a supervisor that holds the run directory.
+int supervised(const PreparedRun& prepared, const Attempt& first, bool heals) {
+  PreparedRun run = prepared;
+  run.structure_command = relayed(run, "structure", prepared.structure_command);
+  run.network_command = relayed(run, "network", prepared.network_command);
+  // Threads of the structure that wait for each other long would keep the other two processes from the cores.
+  ::setenv("GOMP_SPINCOUNT", "1000", 0);
+  StatusPage status(run.directory / "status");
+  Supervision supervision{run.directory, run.reading.value.deadlines.progress, {}, first};
+  supervision.healing.wanted = heals;
+  return supervise(status, supervision,
+                   [&](const Attempt& attempt) { return run_worker(run, attempt, status); });
+}
+
 }  // namespace
 
 std::vector<std::string> probe_names(const Case& run_case) {
@@ -88,12 +112,8 @@ std::vector<std::string> probe_names(const Case& run_case) {
 }
 
 PreparedRun prepare_run(const RunOptions& options) {
-  if (options.fault) (void)parse_process_fault(*options.fault);
   PreparedRun run;
-  if (options.fault_plan) {
-    run.fault_plan = read_fault_plan(*options.fault_plan);
-    run.fault_plan_file = std::filesystem::absolute(*options.fault_plan);
-  }
+  read_faults(options.fault, options.fault_plan, run);
   run.reading = read_case(options.source);
   run.end = end_of_run(options, run.reading.value);
   const Expectations expectations = expectations_of(run.reading, options.source.variants);
@@ -101,26 +121,37 @@ PreparedRun prepare_run(const RunOptions& options) {
   if (!options.until) run.expectations = expectations;
   run.directory = options.directory.value_or(default_directory(run.reading, options.source.variants));
   RunDirectory::check(run.directory);
-  run.structure_command = relayed(run, "structure", options.structure_command.value_or(sibling("structure")));
-  run.network_command = relayed(run, "network", options.network_command.value_or(sibling("network")));
+  run.structure_command = options.structure_command.value_or(sibling("structure"));
+  run.network_command = options.network_command.value_or(sibling("network"));
   run.threads = options.threads > 0 ? options.threads
                                     : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   run.json = options.json;
   run.command_line = options.command_line;
+  run.run_id = random_run_id();
   return run;
 }
 
 int run_command(const RunOptions& options) {
-  const PreparedRun run = prepare_run(options);
+  PreparedRun run = prepare_run(options);
   for (const Fault& warning : run.reading.warnings)
     std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
-  announce_faults(options, run);
-  // Threads of the structure that wait for each other long would keep the other two processes from the cores.
-  ::setenv("GOMP_SPINCOUNT", "1000", 0);
   const RunDirectory directory(run.directory);
-  StatusPage status(directory.path() / "status");
-  return supervise(status, {directory.path(), run.reading.value.deadlines.progress, {}, {}},
-                   [&](const Attempt&) { return run_worker(run, status); });
+  run.directory = directory.path();
+  write_natural_fractures(run.directory, run.reading.value, run.reading.natural_fractures);
+  write_resume_file(run);
+  announce_faults(options.fault, run);
+  return supervised(run, {false, 0}, options.heal);
+}
+
+int resume_command(const ResumeOptions& options) {
+  PreparedRun run = read_resume_file(options.directory);
+  const RunDirectory directory(run.directory, RunDirectory::resumed);
+  run.directory = directory.path();
+  if (options.threads > 0) run.threads = options.threads;
+  run.json = run.json || options.json;
+  read_faults(options.fault, options.fault_plan, run);
+  announce_faults(options.fault, run);
+  return supervised(run, {true, epochs_so_far(run.directory)}, options.heal);
 }
 
 }  // namespace fissura::coupler

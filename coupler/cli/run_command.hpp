@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "common/case/expected.hpp"
 #include "common/case/read_case.hpp"
-#include "coupler/faults/fault_plan.hpp"
+#include "coupler/cli/prepared_run.hpp"
+#include "coupler/launch/supervisor.hpp"
 
 namespace fissura::coupler {
 
@@ -22,21 +22,8 @@ struct RunOptions {
   std::optional<std::string> fault;                ///< one fault in short, see process_fault.hpp
   std::optional<std::filesystem::path> fault_plan;
   int threads = 0;                   ///< of the structure; 0: every core
+  bool heal = false;                 ///< go on by itself after a death
   bool json = false;                 ///< print summary.json instead of the table
-  std::vector<std::string> command_line;
-};
-
-/// A run that has passed every check and may start.
-struct PreparedRun {
-  CaseReading reading;
-  Expectations expectations;
-  std::filesystem::path directory;
-  double end = 0;  ///< of the run, at most that of the case [s]
-  std::string structure_command, network_command;
-  int threads = 1;
-  bool json = false;
-  std::optional<std::filesystem::path> fault_plan_file;  ///< absolute
-  FaultPlan fault_plan;
   std::vector<std::string> command_line;
 };
 
@@ -45,6 +32,19 @@ std::vector<std::string> probe_names(const Case& run_case);
 
 /// Reads case, expectations and references and looks at the run directory; creates nothing. Throws Error.
 PreparedRun prepare_run(const RunOptions& options);
+
+/// What `coupler resume` may change.
+struct ResumeOptions {
+  std::filesystem::path directory;
+  int threads = 0;  ///< of the structure; 0: as many as before
+  bool json = false;
+  bool heal = false;
+  std::optional<std::string> fault;  ///< as in RunOptions
+  std::optional<std::filesystem::path> fault_plan;
+};
+
+/// Goes on with a run that ended before its time. @returns the exit code of the program
+int resume_command(const ResumeOptions& options);
 
 /// Prepares and runs. @returns the exit code of the program; every failure has been told.
 int run_command(const RunOptions& options);

@@ -7,13 +7,14 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <random>
 
 #include "common/case/case_json.hpp"
 #include "common/faults/fault_point.hpp"
 #include "common/log.hpp"
+#include "coupler/checkpoint/checkpoint_store.hpp"
+#include "coupler/cli/epochs.hpp"
 #include "coupler/cli/natural_fracture_files.hpp"
-#include "coupler/launch/supervisor.hpp"
+#include "coupler/cli/run_command.hpp"
 #include "coupler/launch/trio.hpp"
 #include "coupler/record/run_record.hpp"
 #include "coupler/scheme/staggered_scheme.hpp"
@@ -29,19 +30,6 @@ using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-RunId random_run_id() {
-  std::random_device source;
-  RunId run;
-  for (std::uint8_t& byte : run) byte = static_cast<std::uint8_t>(source());
-  return run;
-}
-
-std::string hexadecimal(const RunId& run) {
-  std::string text;
-  for (const std::uint8_t byte : run) text += fmt::format("{:02x}", byte);
-  return text;
 }
 
 /// A path for the socket that the system accepts: its address holds about a hundred characters.
@@ -87,19 +75,27 @@ RunFailure failure_of(ExitCode code, const char* who, std::uint64_t interval, co
 
 class Worker {
  public:
-  Worker(const PreparedRun& run, StatusPage& status)
+  Worker(const PreparedRun& run, const Attempt& attempt, StatusPage& status)
       : run_(run),
+        attempt_(attempt),
         status_(status),
+        store_(run.directory, run.reading.value.checkpoint.keep),
         record_(run.directory, run.reading.value.output.reports_per_segment),
         monitor_(run.reading.value),
         socket_(run.directory),
-        run_id_(random_run_id()),
-        trio_(trio_options(), run_id_, 0, status) {}
+        trio_(trio_options(), run.run_id, attempt.epoch, status) {}
 
   int execute() {
     try {
-      start();
-      StaggeredScheme scheme(run_.reading.value, run_.end, trio_, record_, monitor_, status_);
+      const std::optional<Checkpoint> checkpoint = attempt_.resumes ? usable_checkpoint() : std::nullopt;
+      start(checkpoint);
+      Checkpointing checkpointing(run_.reading.value.checkpoint, provenance(), attempt_.epoch, store_, trio_,
+                                  record_, monitor_, status_);
+      StaggeredScheme scheme(run_.reading.value, run_.end, trio_, record_, monitor_, checkpointing, status_);
+      if (checkpoint)
+        scheme.resume(*checkpoint);
+      else
+        scheme.begin();
       const SchemeOutcome outcome = scheme.run();
       figures_.insertions = outcome.insertions;
       monitor_.conclude();
@@ -127,27 +123,78 @@ class Worker {
             run_case.deadlines};
   }
 
-  void start() {
-    status_.show(0, "start");
-    fault_point(FaultPhase::start, 0);
+  [[nodiscard]] Provenance provenance() const {
+    return {hexadecimal(run_.run_id),
+            case_hash(case_to_json(run_.reading.value)),
+            program_version(),
+            {{"structure", solver_of(trio_, Role::structure)}, {"network", solver_of(trio_, Role::network)}},
+            run_.threads};
+  }
+
+  /// The newest checkpoint that is whole and that the files of the run still go with; nothing if there has
+  /// been none. Warns of every newer one. Throws Error(checkpoint_unusable) if there are some, but none of
+  /// use.
+  std::optional<Checkpoint> usable_checkpoint() {
+    FoundCheckpoint found = store_.newest_whole();
+    for (const UnusableCheckpoint& unusable : found.unusable)
+      log::warn(fmt::format("checkpoint {} cannot be used: {}", unusable.name, unusable.reason));
+    if (!found.checkpoint && !found.unusable.empty())
+      throw Error(ExitCode::checkpoint_unusable,
+                  fmt::format("none of the {} checkpoints can be used: {}", found.unusable.size(),
+                              found.unusable.front().reason));
+    return std::move(found.checkpoint);
+  }
+
+  void start(const std::optional<Checkpoint>& checkpoint) {
+    const std::uint64_t interval = checkpoint ? checkpoint->manifest.interval : 0;
+    status_.change([&](RunStatus& status) {
+      status.epoch = attempt_.epoch;
+      status.started_at = monotonic_seconds();
+      status.started_time = status.time = checkpoint ? checkpoint->manifest.time : 0;
+      status.end = run_.end;
+      status.has_checkpoint = checkpoint.has_value();
+      status.checkpoint_interval = interval;
+      status.checkpoint_time = status.started_time;
+    });
+    status_.show(interval, checkpoint ? "resume" : "start");
+    fault_point(FaultPhase::start, interval);
+    note_epoch(run_.directory, attempt_.epoch, checkpoint ? std::optional(interval) : std::nullopt);
     const nlohmann::json run_case = case_to_json(run_.reading.value);
-    trio_.start(run_case, Start::fresh);
-    record_.begin(
-        {hexadecimal(run_id_),
-         run_.reading.value.title,
-         run_case,
-         run_.reading.files,
-         run_.command_line,
-         run_.threads,
-         {{"structure", solver_of(trio_, Role::structure)}, {"network", solver_of(trio_, Role::network)}},
-         {},
-         probe_names(run_.reading.value)});
+    trio_.start(run_case, checkpoint ? Start::resuming : Start::fresh);
+    const RunDescription description{
+        hexadecimal(run_.run_id),
+        run_.reading.value.title,
+        run_case,
+        run_.reading.files,
+        run_.command_line,
+        run_.threads,
+        {{"structure", solver_of(trio_, Role::structure)}, {"network", solver_of(trio_, Role::network)}},
+        {},
+        probe_names(run_.reading.value)};
+    if (checkpoint)
+      record_.resume(description, checkpoint->states.at("record"));
+    else
+      record_.begin(description);
     recording_ = true;
-    monitor_.begin(run_.directory / "seismicity", hexadecimal(run_id_), record_.started());
+    const std::filesystem::path folder = run_.directory / "seismicity";
+    if (checkpoint)
+      monitor_.resume(folder, hexadecimal(run_.run_id), record_.started(),
+                      checkpoint->states.at("seismicity"));
+    else
+      monitor_.begin(folder, hexadecimal(run_.run_id), record_.started());
+    note_start(checkpoint);
+  }
+
+  void note_start(const std::optional<Checkpoint>& checkpoint) {
+    if (attempt_.resumes)
+      record_.event(EventLevel::info, "coupler", "resume",
+                    checkpoint ? fmt::format("after interval {}, epoch {}", checkpoint->manifest.interval,
+                                             attempt_.epoch)
+                               : fmt::format("from the beginning, epoch {}", attempt_.epoch));
+    if (checkpoint) return;
     const NaturalFractureReport& natural = run_.reading.natural_fractures;
     if (natural.given + natural.drawn > 0)
       record_.event(EventLevel::info, "coupler", "case", summary_of(natural));
-    write_natural_fractures(run_.directory, run_.reading.value, natural);
     for (const Fault& warning : run_.reading.warnings)
       record_.event(EventLevel::warn, "coupler", "case", describe(warning));
   }
@@ -227,11 +274,12 @@ class Worker {
 
   Clock::time_point start_ = Clock::now();
   const PreparedRun& run_;
+  const Attempt& attempt_;
   StatusPage& status_;
+  CheckpointStore store_;
   RunRecord record_;
   SeismicMonitor monitor_;
   SocketPlace socket_;
-  RunId run_id_;
   Trio trio_;
   RunFigures figures_;
   bool recording_ = false;  ///< run.json and the tables exist
@@ -239,11 +287,12 @@ class Worker {
 
 }  // namespace
 
-int run_worker(const PreparedRun& run, StatusPage& status) {
+int run_worker(const PreparedRun& run, const Attempt& attempt, StatusPage& status) {
   log::start("coupler");
   try {
+    ::setenv("FISSURA_EPOCH", std::to_string(attempt.epoch).c_str(), 1);
     arm_planned_faults("coupler");
-    return Worker(run, status).execute();
+    return Worker(run, attempt, status).execute();
   } catch (const Error& failure) {
     status.fail(failure_of(failure.code(), "coupler", 0, "start", failure.what()));
     return static_cast<int>(failure.code());

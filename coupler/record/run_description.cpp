@@ -27,6 +27,10 @@ std::map<std::string, std::string> all_libraries(const std::map<std::string, std
 
 }  // namespace
 
+std::string program_version() {
+  return fmt::format("{} {}", FISSURA_VERSION, FISSURA_GIT_COMMIT);
+}
+
 std::string case_hash(const nlohmann::json& effective_case) {
   const std::string text = effective_case.dump();
   return sha256(std::as_bytes(std::span(text)));

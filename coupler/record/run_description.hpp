@@ -22,6 +22,9 @@ struct RunDescription {
   std::vector<std::string> probes;                  ///< names of the case's probes
 };
 
+/// Version and commit of this program, e.g. "0.1.0 1a2b3c".
+std::string program_version();
+
 /// SHA-256 of the compact JSON text of `effective_case` (keys sorted); the case hash of run.json.
 std::string case_hash(const nlohmann::json& effective_case);
 

@@ -21,7 +21,9 @@ void IntervalControl::start(double stable_step) {
   reset();
 }
 
-void IntervalControl::reset() { proposal_ = limits_.minimum_steps * stable_step_; }
+void IntervalControl::reset() {
+  proposal_ = limits_.minimum_steps * stable_step_;
+}
 
 void IntervalControl::observe(const IntervalObservation& observation) {
   stable_step_ = observation.stable_step;
@@ -34,13 +36,30 @@ void IntervalControl::observe(const IntervalObservation& observation) {
     reset();
     return;
   }
-  const double ratio = observation.drift > 0 ? std::sqrt(limits_.drift_tolerance / observation.drift) : strongest_growth;
+  const double ratio =
+      observation.drift > 0 ? std::sqrt(limits_.drift_tolerance / observation.drift) : strongest_growth;
   double next = proposal_ * std::clamp(caution * ratio, strongest_cut, strongest_growth);
   if (const double speed = front_speed(); speed > 0)
     next = std::min(next, limits_.front_fraction * element_size_ / speed);
   next = std::clamp(next, limits_.minimum_steps * stable_step_, limits_.maximum_steps * stable_step_);
   if (limits_.maximum_interval > 0) next = std::min(next, limits_.maximum_interval);
   proposal_ = next;
+}
+
+void IntervalControl::save(ByteWriter& bytes) const {
+  bytes.put(stable_step_);
+  bytes.put(proposal_);
+  bytes.put(time_);
+  bytes.put(std::vector<Front>(fronts_.begin(), fronts_.end()));
+}
+
+void IntervalControl::restore(ByteReader& bytes) {
+  std::vector<Front> fronts;
+  bytes.get(stable_step_);
+  bytes.get(proposal_);
+  bytes.get(time_);
+  bytes.get(fronts);
+  fronts_.assign(fronts.begin(), fronts.end());
 }
 
 double IntervalControl::front_speed() const {

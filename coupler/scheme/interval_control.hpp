@@ -3,21 +3,22 @@
 
 #include <deque>
 
+#include "common/byte_archive.hpp"
 #include "common/case/case.hpp"
 
 namespace fissura::coupler {
 
 /// What an interval showed that matters for the length of the next.
 struct IntervalObservation {
-  double time = 0;          ///< its end [s]
-  double drift = 0;         ///< sum l |e - e^| / sum l e [-]
-  double stable_step = 0;   ///< of the structure now [s]
-  double half_length = 0;   ///< of the hydraulic fracture [m]
+  double time = 0;         ///< its end [s]
+  double drift = 0;        ///< sum l |e - e^| / sum l e [-]
+  double stable_step = 0;  ///< of the structure now [s]
+  double half_length = 0;  ///< of the hydraulic fracture [m]
   bool inlet_closed = false;
 };
 
-/// Length of the coupling intervals: from the drift between structure and prediction, within minimum_steps and maximum_steps explicit
-/// steps, and short against the time in which the front crosses one element.
+/// Length of the coupling intervals: from the drift between structure and prediction, within minimum_steps
+/// and maximum_steps explicit steps, and short against the time in which the front crosses one element.
 class IntervalControl {
  public:
   /// @param element_size  h along the fractures [m]
@@ -31,6 +32,10 @@ class IntervalControl {
   void observe(const IntervalObservation& observation);
   /// Back to the shortest interval: the pumping has changed.
   void reset();
+
+  /// Everything that later proposals depend on, and its return.
+  void save(ByteWriter& bytes) const;
+  void restore(ByteReader& bytes);
 
   /// Speed of the front over the last few elements, 0 before it has moved [m/s].
   [[nodiscard]] double front_speed() const;

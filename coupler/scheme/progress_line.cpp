@@ -24,14 +24,16 @@ ProgressLine::~ProgressLine() {
 
 void ProgressLine::show(const IntervalRecord& record) {
   const Clock::time_point now = Clock::now();
+  if (!start_time_) start_time_ = record.time - record.duration;
   if (now < next_) return;
   next_ = now + (terminal_ ? terminal_interval : plain_interval);
   const double wall = std::chrono::duration<double>(now - start_).count();
-  const double left = wall * (end_time_ - record.time) / record.time;
-  const std::string line =
-      fmt::format("t {:.4g} of {:.4g} s   half length {:.2f} m   aperture {:.4f} mm   net pressure {:.4f} MPa   {:.0f} s left",
-                  record.time, end_time_, record.half_length, 1e3 * record.inlet_aperture,
-                  1e-6 * record.inlet_net_pressure, left);
+  const double left = wall * (end_time_ - record.time) / (record.time - *start_time_);
+  const std::string line = fmt::format(
+      "t {:.4g} of {:.4g} s   half length {:.2f} m   aperture {:.4f} mm   net pressure {:.4f} MPa   {:.0f} s "
+      "left",
+      record.time, end_time_, record.half_length, 1e3 * record.inlet_aperture,
+      1e-6 * record.inlet_net_pressure, left);
   std::fprintf(stderr, terminal_ ? "\r%s\033[K" : "%s\n", line.c_str());
   std::fflush(stderr);
   written_ = true;

@@ -36,28 +36,23 @@ double least_bulk_modulus(const std::vector<Fluid>& fluids) {
   return least;
 }
 
-double edge_at_the_tips(const Case& run_case) {
-  return run_case.growth.path == PathRule::free ? run_case.mesh.tip_size : run_case.mesh.fracture_size;
-}
-
 }  // namespace
 
 StaggeredScheme::StaggeredScheme(const Case& run_case, double end, Trio& trio, RunRecord& record,
-                                 SeismicMonitor& monitor, StatusPage& status)
+                                 SeismicMonitor& monitor, Checkpointing& checkpointing, StatusPage& status)
     : case_(run_case),
       trio_(trio),
       record_(record),
       monitor_(monitor),
+      checkpointing_(checkpointing),
       status_(status),
-      clock_(end),
-      interval_control_(run_case.coupling, edge_at_the_tips(run_case)),
       progress_(end),
       events_(pump_events(run_case.injection)),
-      fluid_bulk_modulus_(least_bulk_modulus(run_case.fluids)) {}
+      fluid_bulk_modulus_(least_bulk_modulus(run_case.fluids)),
+      state_(run_case, end) {}
 
 SchemeOutcome StaggeredScheme::run() {
-  begin();
-  while (!clock_.finished() && status_.stop_signal() == 0) {
+  while (!state_.clock.finished() && status_.stop_signal() == 0) {
     const CouplingInterval interval = next_interval();
     const NetworkAnswer answer = advance_network_over(interval);  // the network leads (Sect. 3.1)
     auto response = advance_structure_over(interval, answer);     // the structure follows (Sect. 3.6)
@@ -66,9 +61,12 @@ SchemeOutcome StaggeredScheme::run() {
     record_interval(interval, answer, response);
     accept(interval, answer, std::move(response));
     if (report_is_due(interval.end)) report(answer);
-    if (structure_.proposal) insert(*structure_.proposal);  // the fracture grows (Sect. 3.8)
+    if (state_.structure.proposal) insert(*state_.structure.proposal);  // the fracture grows (Sect. 3.8)
+    if (checkpointing_.is_due(interval.index)) checkpointing_.keep(state_);
   }
-  return {clock_.finished() ? 0 : status_.stop_signal(), insertions_};
+  if (state_.clock.finished()) return {0, insertions()};
+  if (!checkpointing_.has_kept(state_.clock.index())) checkpointing_.keep(state_);
+  return {status_.stop_signal(), insertions()};
 }
 
 void StaggeredScheme::begin() {
@@ -76,20 +74,27 @@ void StaggeredScheme::begin() {
   const Message topology = trio_.await(Role::structure, MessageType::topology);
   const Insertion first = insertion_from_json(topology.value<nlohmann::json>("insertion"));
   insert(first);
-  inlet_ = find_inlet(network_, case_);
-  network_pressure_ = structure_.pressure_applied;
-  average_rate_.assign(network_.nodes().size(), 0);
-  interval_control_.start(structure_.stable_step);
+  inlet_ = find_inlet(state_.network, case_);
+  state_.network_pressure = state_.structure.pressure_applied;
+  state_.average_rate.assign(state_.network.nodes().size(), 0);
+  state_.interval_control.start(state_.structure.stable_step);
+}
+
+void StaggeredScheme::resume(const Checkpoint& checkpoint) {
+  restore(checkpoint.states.at("scheme"), state_);
+  checkpointing_.give_back(checkpoint, state_);
+  follow_topology();
+  inlet_ = find_inlet(state_.network, case_);
 }
 
 CouplingInterval StaggeredScheme::next_interval() const {
-  double must_hit = static_cast<double>(reports_ + 1) * case_.output.interval;
+  double must_hit = static_cast<double>(state_.reports + 1) * case_.output.interval;
   for (const double event : events_)
-    if (event > clock_.time()) {
+    if (event > state_.clock.time()) {
       must_hit = std::min(must_hit, event);
       break;
     }
-  return clock_.next(interval_control_.proposal(), must_hit);
+  return state_.clock.next(state_.interval_control.proposal(), must_hit);
 }
 
 NetworkAnswer StaggeredScheme::advance_network_over(const CouplingInterval& interval) {
@@ -98,11 +103,12 @@ NetworkAnswer StaggeredScheme::advance_network_over(const CouplingInterval& inte
   const Coupling& coupling = case_.coupling;
   const StructureEstimate estimate =
       coupling.scheme == CouplingScheme::robin
-          ? robin_estimate(structure_, compliance_)
-          : profit_estimate(structure_, network_pressure_, average_rate_, coupling.fracture_normal_stiffness);
+          ? robin_estimate(state_.structure, compliance_)
+          : profit_estimate(state_.structure, state_.network_pressure, state_.average_rate,
+                            coupling.fracture_normal_stiffness);
   const Message answer = trio_.request(
-      Role::network, advance_network(interval, network_.revision(), estimate), MessageType::pressure);
-  return read_pressure(answer, network_, case_.pressure_range);
+      Role::network, advance_network(interval, state_.network.revision(), estimate), MessageType::pressure);
+  return read_pressure(answer, state_.network, case_.pressure_range);
 }
 
 StructureResponse StaggeredScheme::advance_structure_over(const CouplingInterval& interval,
@@ -112,15 +118,15 @@ StructureResponse StaggeredScheme::advance_structure_over(const CouplingInterval
   const Coupling& coupling = case_.coupling;
   const std::vector<PressureRamp> ramps =
       coupling.scheme == CouplingScheme::robin
-          ? robin_ramps(structure_, answer, compliance_, fluid_bulk_modulus_)
-          : profit_ramps(structure_, answer, coupling.fracture_normal_stiffness, fluid_bulk_modulus_,
+          ? robin_ramps(state_.structure, answer, compliance_, fluid_bulk_modulus_)
+          : profit_ramps(state_.structure, answer, coupling.fracture_normal_stiffness, fluid_bulk_modulus_,
                          case_.network.minimum_aperture);
   const Message response = trio_.request(
       Role::structure,
-      advance_structure(interval, network_.revision(), ramps,
+      advance_structure(interval, state_.network.revision(), ramps,
                         report_is_due(interval.end) ? StrainEnergy::wanted : StrainEnergy::not_wanted),
       MessageType::response);
-  return read_response(response, network_, case_.pressure_range);
+  return read_response(response, state_.network, case_.pressure_range);
 }
 
 void StaggeredScheme::check_ledger(const NetworkAnswer& answer) const {
@@ -141,47 +147,57 @@ void StaggeredScheme::listen(const CouplingInterval& interval, const StructureRe
 
 void StaggeredScheme::record_interval(const CouplingInterval& interval, const NetworkAnswer& answer,
                                       const StructureResponse& response) {
-  IntervalRecord figures = interval_figures(interval, network_, inlet_, response, answer);
-  add_growth_figures(network_, path_, response, case_, figures);
-  if (response.strain_energy) strain_energy_ = *response.strain_energy;
-  figures.strain_energy = strain_energy_;
+  IntervalRecord figures = interval_figures(interval, state_.network, inlet_, response, answer);
+  add_growth_figures(state_.network, path_, response, case_, figures);
+  if (response.strain_energy) state_.strain_energy = *response.strain_energy;
+  figures.strain_energy = state_.strain_energy;
   figures.seismicity = monitor_.figures();
   figures.seismicity.transfer_moment = scalar_moment(response.transfer_moment);
   figures.meetings = record_.meeting_totals().met;
   figures.crossings = record_.meeting_totals().crossed;
   record_.interval(figures, response.probes);
   progress_.show(figures);
+  status_.change([&](RunStatus& status) {
+    status.time = figures.time;
+    status.duration = figures.duration;
+    status.drift = figures.drift;
+    status.injected = figures.ledger.injected;
+    status.in_fractures = figures.ledger.in_fractures;
+    status.leaked = figures.ledger.leaked;
+    status.ledger_residual = figures.ledger.relative_residual;
+    status.insertions = insertions();
+  });
 }
 
 void StaggeredScheme::accept(const CouplingInterval& interval, const NetworkAnswer& answer,
                              StructureResponse&& response) {
   for (std::size_t i = 0; i < response.aperture.size(); ++i)
-    average_rate_[i] = (response.aperture[i] - structure_.aperture[i]) / interval.duration();
-  network_pressure_ = answer.pressure;
-  structure_ = std::move(response);
-  clock_.commit(interval);
-  interval_control_.observe({interval.end, drift(network_, structure_, answer), structure_.stable_step,
-                             half_length(network_), inlet_ && structure_.closed[inlet_->node] > 0});
-  if (std::binary_search(events_.begin(), events_.end(), interval.end)) interval_control_.reset();
+    state_.average_rate[i] = (response.aperture[i] - state_.structure.aperture[i]) / interval.duration();
+  state_.network_pressure = answer.pressure;
+  state_.structure = std::move(response);
+  state_.clock.commit(interval);
+  state_.interval_control.observe({interval.end, drift(state_.network, state_.structure, answer),
+                                   state_.structure.stable_step, half_length(state_.network),
+                                   inlet_ && state_.structure.closed[inlet_->node] > 0});
+  if (std::binary_search(events_.begin(), events_.end(), interval.end)) state_.interval_control.reset();
 }
 
 // One message to both: every participant acknowledges with the hash of its own network, or the run ends.
 void StaggeredScheme::insert(const Insertion& insertion) {
-  status_.show(clock_.index(), "insertion");
-  fault_point(FaultPhase::insertion, clock_.index());
-  network_.apply(insertion);
-  const std::string expected = network_.topology_hash();
+  status_.show(state_.clock.index(), "insertion");
+  fault_point(FaultPhase::insertion, state_.clock.index());
+  state_.network.apply(insertion);
+  state_.insertions.push_back(insertion);
+  const std::string expected = state_.network.topology_hash();
   for (const Role role : {Role::structure, Role::network}) {
     Message command(MessageType::insert);
-    command.interval = clock_.index();
-    command.revision = network_.revision();
+    command.interval = state_.clock.index();
+    command.revision = state_.network.revision();
     command.body["insertion"] = insertion_to_json(insertion);
     trio_.send(role, std::move(command));
   }
   // While the participants are at it.
-  compliance_ =
-      interface_compliance(network_, case_.rock.plane_strain_modulus(), case_.coupling.compliance_factor);
-  path_ = fracture_path(network_, case_);
+  follow_topology();
   for (const Role role : {Role::structure, Role::network}) {
     const Message acknowledgement = trio_.await(role, MessageType::acknowledge);
     const auto found = acknowledgement.value<std::string>("hash");
@@ -189,45 +205,51 @@ void StaggeredScheme::insert(const Insertion& insertion) {
       throw ParticipantFailure(
           ExitCode::protocol_violation, role,
           fmt::format("{} has another fracture network after revision {} (hash {:.8}..., expected {:.8}...)",
-                      name(role), network_.revision(), found, expected));
+                      name(role), state_.network.revision(), found, expected));
     if (role != Role::structure) continue;
-    structure_ = read_response(acknowledgement, network_, case_.pressure_range);
-    record_.remeshing(network_, read_remeshing(acknowledgement));
-    record_.meetings(network_, read_meetings(acknowledgement));
+    state_.structure = read_response(acknowledgement, state_.network, case_.pressure_range);
+    record_.remeshing(state_.network, read_remeshing(acknowledgement));
+    record_.meetings(state_.network, read_meetings(acknowledgement));
   }
-  for (std::size_t i = network_pressure_.size(); i < network_.nodes().size(); ++i) {
-    const NetworkNode& node = network_.nodes()[i];
-    network_pressure_.push_back(node.saturated ? node.formation_pressure : 0);
+  for (std::size_t i = state_.network_pressure.size(); i < state_.network.nodes().size(); ++i) {
+    const NetworkNode& node = state_.network.nodes()[i];
+    state_.network_pressure.push_back(node.saturated ? node.formation_pressure : 0);
   }
-  average_rate_.resize(network_.nodes().size(), 0);
-  if (network_.revision() > 0) ++insertions_;
-  record_.topology(network_);
+  state_.average_rate.resize(state_.network.nodes().size(), 0);
+  record_.topology(state_.network);
+}
+
+void StaggeredScheme::follow_topology() {
+  compliance_ = interface_compliance(state_.network, case_.rock.plane_strain_modulus(),
+                                     case_.coupling.compliance_factor);
+  path_ = fracture_path(state_.network, case_);
 }
 
 bool StaggeredScheme::report_is_due(double time) const {
-  return time >= clock_.end() || time >= static_cast<double>(reports_ + 1) * case_.output.interval;
+  return time >= state_.clock.end() ||
+         time >= static_cast<double>(state_.reports + 1) * case_.output.interval;
 }
 
 void StaggeredScheme::report(const NetworkAnswer& answer) {
-  status_.show(clock_.index(), "report");
-  fault_point(FaultPhase::report, clock_.index());
-  ++reports_;
+  status_.show(state_.clock.index(), "report");
+  fault_point(FaultPhase::report, state_.clock.index());
+  ++state_.reports;
   for (const Role role : {Role::structure, Role::network}) {
     Message command(MessageType::report);
-    command.interval = clock_.index();
-    command.revision = network_.revision();
-    command.body["time"] = clock_.time();
+    command.interval = state_.clock.index();
+    command.revision = state_.network.revision();
+    command.body["time"] = state_.clock.time();
     trio_.send(role, std::move(command));
   }
   monitor_.flush();
   const Message structure_fields = trio_.await(Role::structure, MessageType::fields);
   const Message network_fields = trio_.await(Role::network, MessageType::fields);
-  record_.fields(clock_.time(), structure_fields, network_fields, network_,
-                 {{"pressure_applied", "Pa", structure_.pressure_applied},
+  record_.fields(state_.clock.time(), structure_fields, network_fields, state_.network,
+                 {{"pressure_applied", "Pa", state_.structure.pressure_applied},
                   {"aperture_predicted", "m", answer.aperture_predicted},
                   {"compliance", "m/Pa", compliance_},
-                  {"closed", "1", structure_.closed},
-                  {"broken", "1", structure_.broken}});
+                  {"closed", "1", state_.structure.closed},
+                  {"broken", "1", state_.structure.broken}});
 }
 
 }  // namespace fissura::coupler

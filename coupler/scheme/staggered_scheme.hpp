@@ -10,10 +10,11 @@
 #include "coupler/launch/status_page.hpp"
 #include "coupler/launch/trio.hpp"
 #include "coupler/record/run_record.hpp"
+#include "coupler/scheme/checkpointing.hpp"
 #include "coupler/scheme/coupling_law.hpp"
-#include "coupler/scheme/interval_control.hpp"
 #include "coupler/scheme/interval_figures.hpp"
 #include "coupler/scheme/progress_line.hpp"
+#include "coupler/scheme/scheme_state.hpp"
 #include "coupler/scheme/seismic_monitor.hpp"
 
 namespace fissura::coupler {
@@ -29,14 +30,20 @@ class StaggeredScheme {
  public:
   /// Runs to `end` [s]. All references must outlive this. The trio has been started.
   StaggeredScheme(const Case& run_case, double end, Trio& trio, RunRecord& record, SeismicMonitor& monitor,
-                  StatusPage& status);
+                  Checkpointing& checkpointing, StatusPage& status);
 
-  /// Runs to the end of the case. Throws ParticipantFailure or another Error at the first fault, with the
-  /// record written up to the last complete interval.
+  /// Takes the first topology from the structure. The trio was started afresh.
+  void begin();
+  /// Takes up the run after `checkpoint`, and gives the participants their states. The trio was started to
+  /// resume.
+  void resume(const Checkpoint& checkpoint);
+
+  /// Runs to the end of the case, or to the coupling time at which somebody wants it to stop; then with a
+  /// checkpoint. @pre begun or resumed. Throws ParticipantFailure or another Error at the first fault, with
+  /// the record written up to the last complete interval.
   SchemeOutcome run();
 
  private:
-  void begin();
   CouplingInterval next_interval() const;
   NetworkAnswer advance_network_over(const CouplingInterval& interval);
   StructureResponse advance_structure_over(const CouplingInterval& interval, const NetworkAnswer& answer);
@@ -47,29 +54,24 @@ class StaggeredScheme {
   void accept(const CouplingInterval& interval, const NetworkAnswer& answer, StructureResponse&& response);
   void insert(const Insertion& insertion);
   void report(const NetworkAnswer& answer);
+  void follow_topology();
   [[nodiscard]] bool report_is_due(double time) const;
+  [[nodiscard]] std::uint64_t insertions() const { return state_.network.revision(); }
 
   const Case& case_;
   Trio& trio_;
   RunRecord& record_;
   SeismicMonitor& monitor_;
+  Checkpointing& checkpointing_;
   StatusPage& status_;
-  CouplingClock clock_;
-  IntervalControl interval_control_;
   ProgressLine progress_;
   std::vector<double> events_;  ///< times at which the pumping changes, ascending [s]
   double fluid_bulk_modulus_;   ///< least of the fluids [Pa]
 
-  FractureNetwork network_;
-  FracturePath path_;                     ///< at this revision
-  std::vector<double> compliance_;        ///< C_R of each node at this revision [m/Pa]
-  StructureResponse structure_;           ///< at the last coupling time
-  std::vector<double> network_pressure_;  ///< of the last interval [Pa]; profit2016 carries it
-  std::vector<double> average_rate_;      ///< of the aperture in the last interval [m/s]; profit2016
+  SchemeState state_;
+  FracturePath path_;               ///< at this revision, as are the next two
+  std::vector<double> compliance_;  ///< C_R of each node [m/Pa]
   std::optional<Inlet> inlet_;
-  double strain_energy_ = 0;  ///< at the last report [J]
-  std::uint64_t reports_ = 0;
-  std::uint64_t insertions_ = 0;
 };
 
 }  // namespace fissura::coupler
