@@ -145,7 +145,7 @@ int run_command(const RunOptions& options) {
 
 int resume_command(const ResumeOptions& options) {
   PreparedRun run = read_resume_file(options.directory);
-  const RunDirectory directory(run.directory, RunDirectory::resumed);
+  const RunDirectory directory(run.directory, RunDirectory::Use::resumption);
   run.directory = directory.path();
   if (options.threads > 0) run.threads = options.threads;
   run.json = run.json || options.json;

@@ -123,27 +123,61 @@ class Worker {
             run_case.deadlines};
   }
 
-  [[nodiscard]] Provenance provenance() const {
+  /// Without the participants, which say who they are at the handshake.
+  [[nodiscard]] Provenance provenance_of_run() const {
     return {hexadecimal(run_.run_id),
             case_hash(case_to_json(run_.reading.value)),
             program_version(),
-            {{"structure", solver_of(trio_, Role::structure)}, {"network", solver_of(trio_, Role::network)}},
+            {},
             run_.threads};
   }
 
-  /// The newest checkpoint that is whole and that the files of the run still go with; nothing if there has
-  /// been none. Warns of every newer one. Throws Error(checkpoint_unusable) if there are some, but none of
-  /// use.
+  [[nodiscard]] std::map<std::string, std::string> participants() const {
+    return {{"structure", solver_of(trio_, Role::structure)}, {"network", solver_of(trio_, Role::network)}};
+  }
+
+  [[nodiscard]] Provenance provenance() const {
+    Provenance whole = provenance_of_run();
+    whole.participants = participants();
+    return whole;
+  }
+
+  /// The newest checkpoint that is whole, of this case and program, and that the files of the run still go
+  /// with; nothing if there has been none. Warns of every newer one. Throws Error(checkpoint_unusable) if
+  /// there are some, but none of use.
   std::optional<Checkpoint> usable_checkpoint() {
-    FoundCheckpoint found = store_.newest_whole();
+    FoundCheckpoint found =
+        store_.newest_usable([this](const Checkpoint& checkpoint) { return refusal(checkpoint); });
     for (const UnusableCheckpoint& unusable : found.unusable)
       log::warn(fmt::format("checkpoint {} cannot be used: {}", unusable.name, unusable.reason));
     if (!found.checkpoint && !found.unusable.empty())
       throw Error(ExitCode::checkpoint_unusable,
-                  fmt::format("none of the {} checkpoints can be used: {}", found.unusable.size(),
-                              found.unusable.front().reason));
+                  fmt::format("none of the {} checkpoints can be used; of the newest, {}",
+                              found.unusable.size(), found.unusable.front().reason));
+    store_.set_aside_newer_than(found.checkpoint ? std::optional(found.checkpoint->manifest.interval)
+                                                 : std::nullopt);
     return std::move(found.checkpoint);
   }
+
+  /// Why this run cannot go on from a whole checkpoint, as far as that can be told before a participant
+  /// starts.
+  [[nodiscard]] std::optional<std::string> refusal(const Checkpoint& checkpoint) const {
+    if (const auto other = mismatch(checkpoint.manifest.provenance, provenance_of_run()))
+      return "it is " + *other;
+    try {
+      SchemeState state(run_.reading.value, run_.end);
+      restore(checkpoint.states.at("scheme"), state);
+      RunRecord::check(run_.directory, checkpoint.states.at("record"));
+      SeismicMonitor::check(catalogue_folder(), checkpoint.states.at("seismicity"));
+    } catch (const std::out_of_range&) {
+      return "a state is missing";
+    } catch (const Error& fault) {
+      return fault.what();
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::filesystem::path catalogue_folder() const { return run_.directory / "seismicity"; }
 
   void start(const std::optional<Checkpoint>& checkpoint) {
     const std::uint64_t interval = checkpoint ? checkpoint->manifest.interval : 0;
@@ -161,27 +195,28 @@ class Worker {
     note_epoch(run_.directory, attempt_.epoch, checkpoint ? std::optional(interval) : std::nullopt);
     const nlohmann::json run_case = case_to_json(run_.reading.value);
     trio_.start(run_case, checkpoint ? Start::resuming : Start::fresh);
-    const RunDescription description{
-        hexadecimal(run_.run_id),
-        run_.reading.value.title,
-        run_case,
-        run_.reading.files,
-        run_.command_line,
-        run_.threads,
-        {{"structure", solver_of(trio_, Role::structure)}, {"network", solver_of(trio_, Role::network)}},
-        {},
-        probe_names(run_.reading.value)};
+    if (checkpoint)
+      if (const auto other = mismatch(checkpoint->manifest.provenance, provenance()))
+        throw Error(ExitCode::checkpoint_unusable, "the checkpoint cannot be used: it is " + *other);
+    const RunDescription description{hexadecimal(run_.run_id),
+                                     run_.reading.value.title,
+                                     run_case,
+                                     run_.reading.files,
+                                     run_.command_line,
+                                     run_.threads,
+                                     participants(),
+                                     {},
+                                     probe_names(run_.reading.value)};
     if (checkpoint)
       record_.resume(description, checkpoint->states.at("record"));
     else
       record_.begin(description);
     recording_ = true;
-    const std::filesystem::path folder = run_.directory / "seismicity";
     if (checkpoint)
-      monitor_.resume(folder, hexadecimal(run_.run_id), record_.started(),
+      monitor_.resume(catalogue_folder(), hexadecimal(run_.run_id), record_.started(),
                       checkpoint->states.at("seismicity"));
     else
-      monitor_.begin(folder, hexadecimal(run_.run_id), record_.started());
+      monitor_.begin(catalogue_folder(), hexadecimal(run_.run_id), record_.started());
     note_start(checkpoint);
   }
 
