@@ -205,6 +205,11 @@ void Trio::hear(Participant& each, Message&& message) {
          fmt::format("sent {}, but {} (view {}, fault {})", name(word), sentence(*fault), name(each.view),
                      name(*fault)));
   const auto& step = std::get<CouplerStep>(rule);
+  const bool answers = step.action == CouplerAction::take || step.action == CouplerAction::release;
+  if (answers && message.interval != each.interval)
+    fail(ExitCode::protocol_violation, each,
+         fmt::format("sent {} of interval {}, but was asked for interval {}", name(word), message.interval,
+                     each.interval));
   each.view = step.next;
   each.last_word = Clock::now();
   switch (step.action) {

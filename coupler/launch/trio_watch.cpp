@@ -26,10 +26,22 @@ double monotonic_seconds_of(std::chrono::steady_clock::time_point time) {
   return Seconds(time.time_since_epoch()).count();
 }
 
-/// Codes with which a participant says that it was not let in, or cannot begin.
+/// Codes with which a participant that cannot speak yet says why it ends.
 bool explains_itself(int exit_code) {
-  return exit_code >= static_cast<int>(ExitCode::case_invalid) &&
-         exit_code <= static_cast<int>(ExitCode::security);
+  const auto code = static_cast<ExitCode>(exit_code);
+  return (code >= ExitCode::case_invalid && code <= ExitCode::security) ||
+         (code >= ExitCode::protocol_violation && code <= ExitCode::checkpoint_unusable) ||
+         code == ExitCode::internal;
+}
+
+/// What a participant found out about this end of the connection before it ended; nothing if it ended for
+/// another reason.
+const char* finding_about_the_coupler(int exit_code) {
+  switch (static_cast<ExitCode>(exit_code)) {
+    case ExitCode::participant_died: return "lost its connection to the coupler and ended";
+    case ExitCode::participant_unresponsive: return "heard nothing of the coupler for too long and ended";
+    default: return nullptr;
+  }
 }
 
 }  // namespace
@@ -53,6 +65,10 @@ void Trio::process_ended(Participant& each) {
     sentence += ": it was built for another processor";
   } else if (!end.signal && end.exit_code == static_cast<int>(ExitCode::out_of_memory)) {
     code = ExitCode::out_of_memory;
+    sentence = "ran out of memory and ended with exit code 26";
+  } else if (const char* finding = end.signal ? nullptr : finding_about_the_coupler(end.exit_code)) {
+    code = ExitCode::participant_unresponsive;
+    sentence = finding;
   } else if (!end.signal && each.view == CouplerView::absent) {
     const bool not_executed = end.exit_code == 126 || end.exit_code == 127;
     if (not_executed)

@@ -4,7 +4,7 @@
 run, or be survived, as the table says. Counts hangs, orphans, leftover sockets, wrong codes, wrong sentences, late ends and resumed runs with
 other bytes.
 
-    tests/system/fault_matrix.py [--short] [--jobs N] [--only PATTERN] [--json FILE] [--list]
+    tests/system/fault_matrix.py [--short] [--jobs N] [--only PATTERN] [--again FILE] [--json FILE] [--list]
 
 FISSURA_PROGRAMS names the directory with the programs. Exit code 0: every cell as the table says; 1: not; 3: as the table says, but cells
 were skipped because a tool is missing. Times to detection count on an idle machine only: what is late is played once more alone before it
@@ -221,12 +221,17 @@ def main():
     parser.add_argument("--jobs", type=int, default=2, help="runs at a time")
     parser.add_argument("--only", metavar="PATTERN", default="", help="regular expression for names of cells")
     parser.add_argument("--json", metavar="FILE", help="writes every cell with its code, line, times and problems")
+    parser.add_argument("--again", metavar="FILE", help="only what was wrong in this file of --json")
     parser.add_argument("--list", action="store_true", help="prints the names of the cells only")
     options = parser.parse_args()
     cells = all_cells()
     if options.short:
         cells = short_cells(cells)
     cells = [cell for cell in cells if re.search(options.only, cell.name)]
+    if options.again:
+        with open(options.again, encoding="utf-8") as file:
+            wrong = {entry["cell"] for entry in json.load(file) if entry["problems"]}
+        cells = [cell for cell in cells if cell.name in wrong]
     if options.list:
         for cell in cells:
             print(f"{cell.end.code!s:8}  {cell.name}")
