@@ -5,21 +5,37 @@
 #include <span>
 #include <vector>
 
-#include "common/fracture_network/fracture_network.hpp"
+#include "common/state_blob.hpp"
+#include "network/graph.hpp"
+#include "network/model.hpp"
 #include "network/state.hpp"
 
 namespace fissura::network {
 
-/// Everything that the case does not say: how the network came to be, and the state. CBOR (RFC 8949) with a
-/// version tag; numbers come back bit for bit.
-struct Checkpoint {
-  std::vector<Insertion> history;  ///< from revision 0 on
-  State state;
+/// Work done so far.
+struct WorkFigures {
+  std::int64_t intervals = 0, steps = 0, iterations = 0, halvings = 0, factorisations = 0;
 };
 
-std::vector<std::byte> checkpoint_to_bytes(const Checkpoint& checkpoint);
+/// Everything a network solver needs to go on bit for bit.
+struct Checkpoint {
+  std::vector<Insertion> history;  ///< the graph, from revision 0
+  State state;
+  std::vector<double> aperture;  ///< of the last interval, which a report shows [m]
+  WorkFigures figures;
+};
 
-/// Throws Error(checkpoint_unusable) if the bytes are damaged or of another version.
-Checkpoint checkpoint_from_bytes(std::span<const std::byte> bytes);
+/// Whose state that of a network is.
+StateOwner network_owner(const Case& run_case);
+
+std::vector<std::byte> checkpoint_to_bytes(const StateOwner& owner, const Checkpoint& checkpoint);
+
+/// Throws Error(checkpoint_unusable) if the bytes do not belong to this owner, or no network could have given
+/// them.
+Checkpoint checkpoint_from_bytes(std::span<const std::byte> bytes, const StateOwner& owner);
+
+/// Throws Error(checkpoint_unusable) unless the state has the size of this network and names what this model
+/// has.
+void require_of(const Graph& graph, const Model& model, const Checkpoint& checkpoint);
 
 }  // namespace fissura::network

@@ -14,6 +14,10 @@ namespace fissura::network {
 /// network().nodes(), segments the positions in network().segments(). Changes only in insert.
 class Graph {
  public:
+  Graph() = default;
+  /// Of a network as it stands.
+  explicit Graph(FractureNetwork network) : network_(std::move(network)) { rebuild(); }
+
   /// Applies one change of topology; throws ProtocolError, leaving the graph as it was, if FractureNetwork
   /// refuses it.
   void insert(const Insertion& insertion);

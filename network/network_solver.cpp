@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "common/case/case_json.hpp"
-#include "network/checkpoint.hpp"
+#include "common/fracture_network/insertion_archive.hpp"
 #include "network/content_ledger.hpp"
 #include "network/transfer.hpp"
 
@@ -44,7 +44,9 @@ NetworkSolver::NetworkSolver() {
 }
 
 void NetworkSolver::join(const Assignment& assignment) {
-  model_ = model_from_case(case_from_json(assignment.run_case));
+  const Case run_case = case_from_json(assignment.run_case);
+  model_ = model_from_case(run_case);
+  owner_ = network_owner(run_case);
 }
 
 std::string NetworkSolver::insert(const Insertion& insertion) {
@@ -64,7 +66,7 @@ Message NetworkSolver::advance(const Message& command) {
   figures_.steps += report.steps;
   figures_.iterations += report.newton.iterations;
   figures_.halvings += report.halvings;
-  figures_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return answer;
 }
 
@@ -153,26 +155,33 @@ Message NetworkSolver::report(const Message&) {
 }
 
 std::vector<std::byte> NetworkSolver::save() {
-  return checkpoint_to_bytes({history_, state_});
+  WorkFigures figures = figures_;
+  figures.factorisations += workspace_.linear.factorisations();
+  return checkpoint_to_bytes(owner_, {history_, state_, interval_.aperture, figures});
 }
 
 void NetworkSolver::restore(const std::vector<std::byte>& bytes) {
-  Checkpoint checkpoint = checkpoint_from_bytes(bytes);
-  Graph graph;
-  for (const Insertion& insertion : checkpoint.history) graph.insert(insertion);
-  if (checkpoint.state.content.size() != graph.node_count() ||
-      checkpoint.state.flux.size() != graph.segment_count())
-    throw Error(ExitCode::checkpoint_unusable, "the network's checkpoint has arrays of another topology");
+  Checkpoint checkpoint = checkpoint_from_bytes(bytes, owner_);
+  Graph graph(network_after(checkpoint.history));
+  require_of(graph, model_, checkpoint);
+  LinearSolver linear;
+  linear.set_pattern(graph.pattern());
   graph_ = std::move(graph);
-  state_ = std::move(checkpoint.state);
+  workspace_.linear = std::move(linear);
   history_ = std::move(checkpoint.history);
-  workspace_.linear.set_pattern(graph_.pattern());
+  state_ = std::move(checkpoint.state);
+  interval_ = {};
+  interval_.aperture = std::move(checkpoint.aperture);
+  figures_ = checkpoint.figures;
 }
 
 nlohmann::json NetworkSolver::finish() {
-  return {{"seconds", figures_.seconds},   {"intervals", figures_.intervals},
-          {"steps", figures_.steps},       {"newton_iterations", figures_.iterations},
-          {"halvings", figures_.halvings}, {"factorisations", workspace_.linear.factorisations()}};
+  return {{"seconds", seconds_},
+          {"intervals", figures_.intervals},
+          {"steps", figures_.steps},
+          {"newton_iterations", figures_.iterations},
+          {"halvings", figures_.halvings},
+          {"factorisations", figures_.factorisations + workspace_.linear.factorisations()}};
 }
 
 }  // namespace fissura::network

@@ -5,6 +5,7 @@
 
 #include "common/exchange/participant.hpp"
 #include "network/advance.hpp"
+#include "network/checkpoint.hpp"
 #include "network/graph.hpp"
 #include "network/model.hpp"
 #include "network/state.hpp"
@@ -33,11 +34,6 @@ class NetworkSolver : public Solver {
   nlohmann::json finish() override;
 
  private:
-  struct Figures {
-    double seconds = 0;
-    long intervals = 0, steps = 0, iterations = 0, halvings = 0;
-  };
-
   void read_interval(const Message& command);
   /// One array of the apertures per arm; empty if the command carries neither.
   [[nodiscard]] std::vector<double> arm_apertures(const Message& command, const char* name) const;
@@ -52,7 +48,9 @@ class NetworkSolver : public Solver {
   Interval interval_;
   Workspace workspace_;
   std::vector<Insertion> history_;
-  Figures figures_;
+  StateOwner owner_;
+  WorkFigures figures_;  ///< factorisations: those before the last restore
+  double seconds_ = 0;   ///< of wall time at work
 };
 
 }  // namespace fissura::network

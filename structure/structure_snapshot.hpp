@@ -3,25 +3,43 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "common/state_blob.hpp"
+#include "structure/initial_motion.hpp"
 #include "structure/structure_state.hpp"
 
 namespace fissura::structure {
 
-/// Everything a structure needs to go on bit for bit, the geometry included if it is no longer that of the case.
-struct Snapshot {
-  double time = 0;                    ///< [s]
-  std::uint64_t steps = 0;            ///< explicit steps so far
-  std::vector<Insertion> insertions;  ///< the history of the network, from revision 0
-  StructureState state;
+/// What a structure remembers of its run beside geometry and state.
+struct StructureHistory {
+  double time = 0;                                 ///< of the last coupling [s]
+  std::uint64_t steps = 0;                         ///< explicit steps so far
+  std::vector<Insertion> insertions;               ///< all so far, from revision 0
+  Equilibration equilibration;                     ///< before time 0
+  std::optional<std::uint64_t> reported_geometry;  ///< number of the last one whose mesh went into a report
 };
 
-/// `geometry` is the one that `snapshot.state` belongs to.
-std::vector<std::byte> save_snapshot(const Snapshot& snapshot, const Geometry& geometry);
+/// Whose state that of a structure is.
+StateOwner structure_owner(const Case& run_case);
 
-/// Gives `geometry` the geometry at the time of saving, but for its network, which follows from the insertions. It is any geometry of
-/// this model. Throws Error(checkpoint_unusable) if the bytes do not belong to this model; then `geometry` is unchanged.
-Snapshot restore_snapshot(const std::vector<std::byte>& bytes, const StructureModel& model, Geometry& geometry);
+/// Everything a structure needs to go on bit for bit. @param wet  elements whose in-situ state the fluid of a
+/// tip has changed, ascending
+std::vector<std::byte> save_snapshot(const StateOwner& owner, const StructureHistory& history,
+                                     const Geometry& geometry, const StructureState& state,
+                                     const std::vector<ElementIndex>& wet);
+
+struct Snapshot {
+  StructureHistory history;
+  Geometry geometry;  ///< with its network
+  StructureState state;
+  std::vector<ElementIndex> wet;
+};
+
+/// Throws Error(checkpoint_unusable) if the bytes do not belong to this owner, or no structure could have
+/// given them.
+Snapshot restore_snapshot(const std::vector<std::byte>& bytes, const StateOwner& owner,
+                          const StructureModel& model);
 
 }  // namespace fissura::structure

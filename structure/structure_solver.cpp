@@ -34,32 +34,38 @@ void StructureSolver::join(const Assignment& assignment) {
   Case run_case = case_from_json(assignment.run_case);
   const Elasticity moduli = elasticity(run_case.rock);
   model_.emplace(StructureModel{std::move(run_case), moduli, assignment.threads});
-  geometry_ = build_geometry(*model_);
+  owner_ = structure_owner(model_->run_case);
   probes_.emplace(model_->run_case.output.probes);
-  state_.emplace(initial_state(*model_, geometry_));
-  run_ = std::make_unique<StructureRun>(*model_, geometry_);
   if (model_->run_case.bulk_failure.active && model_->run_case.growth.tip == TipRule::damage)
     failing_tips_.emplace(*model_);
+  if (!assignment.resumes) build();
+  setup_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void StructureSolver::build() {
+  geometry_ = build_geometry(*model_);
+  state_.emplace(initial_state(*model_, geometry_));
+  run_ = std::make_unique<StructureRun>(*model_, geometry_);
   begin_motion();
   protect_tips();
-  setup_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   log::info(
       fmt::format("{} elements, {} nodes", geometry_.mesh.elements.size(), geometry_.mesh.position.size()));
 }
 
 void StructureSolver::begin_motion() {
-  if (model_->run_case.dynamics.equilibrate) equilibration_ = come_to_rest(*model_, geometry_, *state_);
+  Equilibration& rest = history_.equilibration;
+  if (model_->run_case.dynamics.equilibrate) rest = come_to_rest(*model_, geometry_, *state_);
   start_motion(*model_, geometry_, *state_);
-  if (equilibration_.greatest_slip > reported_slip)
+  if (rest.greatest_slip > reported_slip)
     log::info(fmt::format(
         "before time 0 natural fracture '{}' slid by {:.3g} m until it rested; slip counts from there",
-        equilibration_.fracture, equilibration_.greatest_slip));
+        rest.fracture, rest.greatest_slip));
 }
 
 Insertion StructureSolver::first_topology() {
   const Insertion first = first_insertion(geometry_.mesh, state_->joints, model_->run_case);
   geometry_.network.apply(first);
-  insertions_.push_back(first);
+  history_.insertions.push_back(first);
   return first;
 }
 
@@ -84,12 +90,13 @@ void StructureSolver::describe_state(Message& reply) {
 
 Message StructureSolver::advance(const Message& command) {
   const double begin = command.value<double>("begin"), end = command.value<double>("end");
-  if (begin != time_ || !(end > begin))
-    throw ProtocolError(fmt::format("ADVANCE from {} to {} s, the structure is at {} s", begin, end, time_));
+  if (begin != history_.time || !(end > begin))
+    throw ProtocolError(
+        fmt::format("ADVANCE from {} to {} s, the structure is at {} s", begin, end, history_.time));
   set_ramps_of(command);
   const std::uint64_t steps = run_->advance(begin, end, *state_);
-  time_ = end;
-  steps_ += steps;
+  history_.time = end;
+  history_.steps += steps;
   scale_masses(*model_, geometry_, begin, end, *state_);
   if (failing_tips_) failing_tips_->tend(geometry_, *state_);
 
@@ -105,8 +112,9 @@ Message StructureSolver::advance(const Message& command) {
     response.body["probes"] = probes_json(probes_->observe(*model_, geometry_, *state_), state_->joints);
   if (command.value<bool>("strain_energy"))
     response.body["energy"]["strain"] = strain_energy_of_body(*model_, geometry_, *state_);
-  if (const std::optional<Insertion> proposal = propose_growth())
-    response.body["insertion"] = insertion_to_json(*proposal);
+  const std::optional<Insertion> proposal = propose_growth();
+  insertion_is_due_ = proposal.has_value();
+  if (proposal) response.body["insertion"] = insertion_to_json(*proposal);
   if (state_->sources.active()) tell_sources(command, response);
   return response;
 }
@@ -120,7 +128,8 @@ std::string StructureSolver::insert(const Insertion& insertion) {
     meetings_ = growth_->meetings;
     remeshing_ = grow(*growth_, *model_, geometry_, *state_);
     growth_.reset();
-    rebuild_run();
+    renew_run();
+    protect_tips();
   }
   for (const NetworkNode& node : insertion.new_nodes) {
     const VertexIndex vertex = vertex_of(node.id);
@@ -129,43 +138,44 @@ std::string StructureSolver::insert(const Insertion& insertion) {
     release(geometry_.mesh, vertex, state_->joints);
   }
   geometry_.network.apply(insertion);
-  insertions_.push_back(insertion);
+  history_.insertions.push_back(insertion);
+  insertion_is_due_ = false;
   return geometry_.network.topology_hash();
 }
 
 Message StructureSolver::report(const Message&) {
-  const bool known = reported_geometry_ == geometry_.number;
-  reported_geometry_ = geometry_.number;
+  const bool known = history_.reported_geometry == geometry_.number;
+  history_.reported_geometry = geometry_.number;
   return structure_fields(*model_, geometry_, *state_, known ? MeshInReport::known : MeshInReport::included);
 }
 
 std::vector<std::byte> StructureSolver::save() {
-  if (failing_tips_) failing_tips_->dry(geometry_);
-  std::vector<std::byte> bytes = save_snapshot({time_, steps_, insertions_, *state_}, geometry_);
-  if (failing_tips_) failing_tips_->tend(geometry_, *state_);
-  return bytes;
+  if (insertion_is_due_)
+    throw ProtocolError("SAVE came between a proposed insertion and its INSERT: the state is not whole then");
+  return save_snapshot(owner_, history_, geometry_, *state_, failing_tips_ ? failing_tips_->wet() : std::vector<ElementIndex>{});
 }
 
 void StructureSolver::restore(const std::vector<std::byte>& bytes) {
-  if (failing_tips_) failing_tips_->dry(geometry_);
-  Snapshot snapshot = restore_snapshot(bytes, *model_, geometry_);
-  time_ = snapshot.time;
-  steps_ = snapshot.steps;
-  insertions_ = std::move(snapshot.insertions);
-  geometry_.network = FractureNetwork();
-  for (const Insertion& insertion : insertions_) geometry_.network.apply(insertion);
+  Snapshot snapshot = restore_snapshot(bytes, owner_, *model_);
+  history_ = std::move(snapshot.history);
+  geometry_ = std::move(snapshot.geometry);
   state_.emplace(std::move(snapshot.state));
+  if (failing_tips_) failing_tips_->restore(std::move(snapshot.wet));
+  probes_.emplace(model_->run_case.output.probes);
+  insertion_is_due_ = false;
   growth_.reset();
-  rebuild_run();
+  meetings_.clear();
+  remeshing_.clear();
+  renew_run();
 }
 
 nlohmann::json StructureSolver::finish() {
   const LoopTimes times = loop_times();
   return {{"elements", geometry_.mesh.elements.size()},
           {"nodes", geometry_.mesh.position.size()},
-          {"explicit_steps", steps_},
-          {"equilibration_steps", equilibration_.steps},
-          {"equilibration_slip", equilibration_.greatest_slip},
+          {"explicit_steps", history_.steps},
+          {"equilibration_steps", history_.equilibration.steps},
+          {"equilibration_slip", history_.equilibration.greatest_slip},
           {"setup_seconds", setup_seconds_},
           {"element_seconds", times.elements},
           {"joint_seconds", times.joints}};
@@ -207,20 +217,19 @@ void StructureSolver::tell_sources(const Message& command, Message& response) {
 
 std::optional<Insertion> StructureSolver::propose_growth() {
   if (model_->run_case.growth.path == PathRule::free) {
-    growth_ = plan_growth(*model_, geometry_, *state_, time_);
+    growth_ = plan_growth(*model_, geometry_, *state_, history_.time);
     if (growth_) return growth_->insertion;
   }
   const std::vector<VertexIndex> vertices =
       joining_vertices(geometry_.mesh, state_->joints, geometry_.network,
                        {vertices_to_release(geometry_.mesh, state_->joints, geometry_.network), {}});
   if (vertices.empty()) return std::nullopt;
-  return connect(geometry_.mesh, geometry_.network, vertices, model_->run_case, time_);
+  return connect(geometry_.mesh, geometry_.network, vertices, model_->run_case, history_.time);
 }
 
-void StructureSolver::rebuild_run() {
+void StructureSolver::renew_run() {
   earlier_loops_ = loop_times();
   run_ = std::make_unique<StructureRun>(*model_, geometry_);
-  protect_tips();
 }
 
 void StructureSolver::protect_tips() {
@@ -231,7 +240,7 @@ void StructureSolver::protect_tips() {
 }
 
 LoopTimes StructureSolver::loop_times() const {
-  LoopTimes times = run_->loop_times();
+  LoopTimes times = run_ ? run_->loop_times() : LoopTimes{};
   times.elements += earlier_loops_.elements;
   times.joints += earlier_loops_.joints;
   return times;

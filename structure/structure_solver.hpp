@@ -10,6 +10,7 @@
 #include "structure/initial_motion.hpp"
 #include "structure/structure_probes.hpp"
 #include "structure/structure_run.hpp"
+#include "structure/structure_snapshot.hpp"
 
 namespace fissura::structure {
 
@@ -27,12 +28,13 @@ class StructureSolver : public Solver {
   nlohmann::json finish() override;
 
  private:
+  void build();
   void begin_motion();
   [[nodiscard]] nlohmann::json natural_fractures_json() const;
   void set_ramps_of(const Message& command);
   void tell_sources(const Message& command, Message& response);
   std::optional<Insertion> propose_growth();
-  void rebuild_run();
+  void renew_run();
   void protect_tips();
   [[nodiscard]] LoopTimes loop_times() const;
 
@@ -43,14 +45,12 @@ class StructureSolver : public Solver {
   std::optional<Probes> probes_;
   LoopTimes earlier_loops_;                      ///< of runs before the last change of the geometry
   std::optional<FailingTips> failing_tips_;      ///< with TipRule::damage
-  std::optional<GrowthPlan> growth_;             ///< proposed to the coupler, not yet carried out
-  std::vector<Meeting> meetings_;  ///< of the last insertion, not yet told
+  bool insertion_is_due_ = false;                ///< proposed to the coupler, not yet carried out
+  std::optional<GrowthPlan> growth_;             ///< the plan of it, if it changes the mesh
+  std::vector<Meeting> meetings_;                ///< of the last insertion, not yet told
   std::vector<RemeshRecord> remeshing_;          ///< of the last insertion, until it is acknowledged
-  double time_ = 0;                              ///< of the last coupling [s]
-  std::uint64_t steps_ = 0;                      ///< explicit steps so far
-  std::vector<Insertion> insertions_;            ///< all so far, from revision 0
-  std::optional<std::uint64_t> reported_geometry_;
-  Equilibration equilibration_;
+  StructureHistory history_;
+  StateOwner owner_;
   double setup_seconds_ = 0;                     ///< wall time of meshing and set-up
 };
 

@@ -27,6 +27,14 @@ void forbid_onset(const Tiles& tiles, std::span<const ElementIndex> elements, Da
   }
 }
 
+std::vector<ElementIndex> elements_without_onset(const Tiles& tiles, const Damage& damage) {
+  std::vector<ElementIndex> elements;
+  for (std::size_t t = 0; t < damage.size(); ++t)
+    for (const std::uint16_t place : damage[t].forbidden) elements.push_back(tiles.tile[t].elements[place]);
+  std::sort(elements.begin(), elements.end());
+  return elements;
+}
+
 std::vector<ElementDamage> damage_records(const Tiles& tiles, const Damage& damage) {
   std::vector<ElementDamage> records;
   for (std::size_t t = 0; t < damage.size(); ++t)

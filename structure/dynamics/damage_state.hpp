@@ -29,9 +29,12 @@ Damage intact_damage(const Tiles& tiles);
 
 /// From now on elements without a record stay elastic whatever their stress if they are listed, in place of
 /// those listed before: near an active tip, whose fracture is to take the failure. Elements that have a
-/// record go on. A span without elements lets failure start everywhere. The list follows neither a change of
-/// the mesh nor a restart: it is given again at every coupling time.
+/// record go on. A span without elements lets failure start everywhere. The list does not follow a change of
+/// the mesh: it is given again then.
 void forbid_onset(const Tiles& tiles, std::span<const ElementIndex> elements, Damage& damage);
+
+/// The elements last listed, ascending.
+std::vector<ElementIndex> elements_without_onset(const Tiles& tiles, const Damage& damage);
 
 /// A record and its element in the mesh: how damage is stored, and carried from one set of tiles to another.
 struct ElementDamage {

@@ -2,6 +2,7 @@
 #include "structure/dynamics/mass_scaling.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fissura::structure {
 
@@ -41,6 +42,17 @@ bool MassScaling::update(double time, double half_length) {
   const bool changes = wanted < scale_ || wanted >= least_growth * scale_;
   if (changes) scale_ = std::min(wanted, growth_limit * scale_);
   return changes;
+}
+
+void MassScaling::save(ByteWriter& bytes) const {
+  bytes.put(scale_);
+  bytes.put(event_);
+}
+
+void MassScaling::restore(ByteReader& bytes) {
+  bytes.get(scale_);
+  bytes.get(event_);
+  ByteReader::require(scale_ > 0 && std::isfinite(scale_));
 }
 
 }  // namespace fissura::structure

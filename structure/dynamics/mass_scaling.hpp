@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "common/byte_archive.hpp"
 #include "common/case/case.hpp"
 
 /// Staged mass scaling. A hydraulic fracture grows slowly against the waves in the rock, so masses may be
@@ -33,6 +34,11 @@ class MassScaling {
   bool update(double time, double half_length);
 
   [[nodiscard]] double scale() const { return scale_; }
+
+  /// What later scales depend on beside the case.
+  void save(ByteWriter& bytes) const;
+  /// Throws Error(checkpoint_unusable) if the scale cannot be one.
+  void restore(ByteReader& bytes);
 
  private:
   struct PumpEvent {

@@ -21,8 +21,13 @@ class WetZone {
                const std::vector<ElementIndex>& dry_elements, const StructureState& state,
                Geometry& geometry);
 
-  /// Gives all elements their in-situ state again: before the mesh changes or is saved.
+  /// Gives all elements their in-situ state again: before the mesh changes.
   void dry(const StructureModel& model, Geometry& geometry);
+
+  /// The elements that are wet, ascending.
+  [[nodiscard]] const std::vector<ElementIndex>& elements() const { return wet_; }
+  /// After a geometry was restored in which these are wet.
+  void restore(std::vector<ElementIndex> elements) { wet_ = std::move(elements); }
 
  private:
   std::vector<ElementIndex> wet_;

@@ -228,9 +228,9 @@ void ElementSources::tell(const ObservedRock& rock, const ObservedInterval& inte
   if (known == nullptr) return;
   const std::uint32_t tile = rock.tiles.tile_of_element[element];
   const auto& elements = rock.tiles.tile[tile].elements;
-  const auto place = std::find(elements.begin(), elements.end(), element) - elements.begin();
+  const auto place = static_cast<std::size_t>(std::find(elements.begin(), elements.end(), element) - elements.begin());
   const TileDamage& damage = rock.damage[tile];
-  tell(rock, interval, *known, damage.record[damage.record_of[static_cast<std::size_t>(place)]], records);
+  if (damage.failed[place]) tell(rock, interval, *known, damage.record[damage.record_of[place]], records);
 }
 
 void ElementSources::tell_all(const ObservedRock& rock, const ObservedInterval& interval,
@@ -250,6 +250,13 @@ PlaneTensor ElementSources::leave(const ObservedRock& rock, std::span<const Elem
     return true;
   });
   return told;
+}
+
+void ElementSources::require_of(const ObservedRock& rock) const {
+  ByteReader::require(
+      std::is_sorted(known_.begin(), known_.end(),
+                     [](const Known& a, const Known& b) { return a.element < b.element; }) &&
+      (known_.empty() || (!rock.damage.empty() && known_.back().element < rock.mesh.elements.size())));
 }
 
 void ElementSources::follow(const MeshChange& change) {

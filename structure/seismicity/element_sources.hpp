@@ -49,6 +49,8 @@ class ElementSources {
     bytes.get(known_);
     anew_ = true;
   }
+  /// Throws Error(checkpoint_unusable) unless what was restored can be of this rock.
+  void require_of(const ObservedRock& rock) const;
 
  private:
   struct Known {
@@ -58,6 +60,10 @@ class ElementSources {
     double since = 0;        ///< time it was last told of [s]
     PlaneStrainStress then;  ///< transmitted at that time [Pa]
     PlaneStrainStress last;  ///< and at the end of the last interval [Pa]
+
+    friend auto parts(EitherOf<Known> auto& known) {
+      return std::tie(known.element, known.glut, known.quiet, known.since, known.then, known.last);
+    }
   };
 
   /// Of one record of a tile, in the present interval.

@@ -38,6 +38,8 @@ class FaceSources {
 
   void save(ByteWriter& bytes) const { bytes.put(known_); }
   void restore(ByteReader& bytes) { bytes.get(known_); }
+  /// Throws Error(checkpoint_unusable) unless what was restored can be of this rock.
+  void require_of(const ObservedRock& rock) const { ByteReader::require(known_.size() <= rock.mesh.units.size()); }
 
  private:
   /// What a unit did while it failed since that was last told.
@@ -50,6 +52,11 @@ class FaceSources {
     double peak_rate = 0;          ///< [m/s]
     PlaneTraction before;          ///< at the begin of the interval of `begin`
     bool cracked = false;          ///< cohesion wore off
+
+    friend auto parts(EitherOf<Failed> auto& failed) {
+      return std::tie(failed.begin, failed.end, failed.path, failed.path_time, failed.jump, failed.growth,
+                      failed.peak_rate, failed.before, failed.cracked);
+    }
   };
 
   struct Known {
@@ -60,6 +67,10 @@ class FaceSources {
     PlaneTraction then;              ///< at that time
     PlaneTraction last;              ///< at the end of the last interval
     bool known = false;
+
+    friend auto parts(EitherOf<Known> auto& known) {
+      return std::tie(known.jump, known.untold, known.failed, known.since, known.then, known.last, known.known);
+    }
   };
 
   static void add(const FaceMovement& movement, const ObservedInterval& interval,

@@ -61,6 +61,11 @@ class SourceObserver {
   /// Everything that later records depend on.
   void save(ByteWriter& bytes) const;
   void restore(ByteReader& bytes);
+  /// Throws Error(checkpoint_unusable) unless what was restored can be of this rock.
+  void require_of(const ObservedRock& rock) const {
+    faces_.require_of(rock);
+    elements_.require_of(rock);
+  }
 
  private:
   bool active_ = false;

@@ -5,7 +5,9 @@
 #include <cstring>
 
 #include "common/errors.hpp"
+#include "common/fracture_network/insertion_archive.hpp"
 #include "structure/dynamics/energy.hpp"
+#include "structure/joints/network_topology.hpp"
 #include "structure/structure_run.hpp"
 #include "structure/structure_snapshot.hpp"
 #include "tests/fakes/structure/mesh_changes.hpp"
@@ -35,6 +37,22 @@ struct Structure {
   StructureModel model{slit_case(), elasticity(slit_case().rock), 1};
   Geometry geometry = build_geometry(model);
   StructureState state = initial_state(model, geometry);
+  StructureHistory history;
+
+  Structure() {
+    history.insertions.push_back(first_insertion(geometry.mesh, state.joints, model.run_case));
+    geometry.network = network_after(history.insertions);
+  }
+
+  [[nodiscard]] std::vector<std::byte> save() const {
+    return save_snapshot(structure_owner(model.run_case), history, geometry, state, {});
+  }
+  void restore(const std::vector<std::byte>& bytes) {
+    Snapshot snapshot = restore_snapshot(bytes, structure_owner(model.run_case), model);
+    geometry = std::move(snapshot.geometry);
+    state = std::move(snapshot.state);
+    history = std::move(snapshot.history);
+  }
 
   void advance(double begin, double end) {
     for (PressureRamp& ramp : state.joints.ramp) ramp = {20e6, 20e6, 0, 0, 0};
@@ -76,12 +94,6 @@ void require_same_motion(const Structure& a, const Structure& b) {
       REQUIRE(a.state.joints.state[u].*member == b.state.joints.state[u].*member);
 }
 
-Structure restored(const std::vector<std::byte>& bytes) {
-  Structure structure;
-  structure.state = restore_snapshot(bytes, structure.model, structure.geometry).state;
-  return structure;
-}
-
 }  // namespace
 
 TEST_CASE("a structure restored after insertions goes on bit for bit, through further insertions",
@@ -90,7 +102,8 @@ TEST_CASE("a structure restored after insertions goes on bit for bit, through fu
   original.advance(0, 0.01);
   original.change_mesh();
   original.advance(0.01, 0.02);
-  Structure copy = restored(save_snapshot({0.02, 7, {}, original.state}, original.geometry));
+  Structure copy;
+  copy.restore(original.save());
   CHECK(copy.geometry.number == original.geometry.number);
   CHECK(copy.geometry.mesh.lines.back().name == "grown");
   CHECK(kinetic_energy(original.geometry.body, original.state.body.velocity, 1) > 0);
@@ -112,9 +125,13 @@ TEST_CASE("fractures that grew before and after a restart do so bit for bit", "[
   GrowingRock original(free_slit());
   original.grow_along(0.2, 3);
   GrowingRock copy(free_slit());
-  copy.state = restore_snapshot(save_snapshot({0, 0, {}, original.state}, original.geometry), copy.model,
-                                copy.geometry)
-                   .state;
+  const StateOwner owner = structure_owner(copy.model.run_case);
+  StructureHistory history;
+  history.insertions.push_back(first_insertion(copy.geometry.mesh, copy.state.joints, copy.model.run_case));
+  Snapshot snapshot = restore_snapshot(save_snapshot(owner, history, original.geometry, original.state, {}),
+                                       owner, copy.model);
+  copy.geometry = std::move(snapshot.geometry);
+  copy.state = std::move(snapshot.state);
   copy.geometry.network = original.geometry.network;
   for (GrowingRock* rock : {&original, &copy}) {
     REQUIRE(rock->grow_along(-0.3, 3) == 6);
@@ -129,31 +146,41 @@ TEST_CASE("fractures that grew before and after a restart do so bit for bit", "[
 TEST_CASE("a structure goes back behind its insertions to the mesh of the case", "[structure][snapshot]") {
   Structure original;
   original.advance(0, 0.01);
-  const auto bytes = save_snapshot({0.01, 3, {}, original.state}, original.geometry);
-  Structure other = restored(bytes);
+  original.history.time = 0.01;
+  original.history.steps = 3;
+  const auto bytes = original.save();
+  Structure other;
   other.change_mesh();
-  const Snapshot snapshot = restore_snapshot(bytes, other.model, other.geometry);
-  other.state = snapshot.state;
-  CHECK(snapshot.time == 0.01);
-  CHECK(snapshot.steps == 3);
+  other.restore(bytes);
+  CHECK(other.history.time == 0.01);
+  CHECK(other.history.steps == 3);
   CHECK(other.geometry.number == 0);
   original.advance(0.01, 0.02);
   other.advance(0.01, 0.02);
   require_same_motion(original, other);
 }
 
-TEST_CASE("a damaged or foreign snapshot is refused and leaves the geometry as it is",
-          "[structure][snapshot]") {
+TEST_CASE("a snapshot that is cut short, changed, or of another case is refused", "[structure][snapshot]") {
   Structure original;
   original.change_mesh();
-  const auto bytes = save_snapshot({0, 0, {}, original.state}, original.geometry);
+  const auto bytes = original.save();
   Structure other;
-  for (const std::size_t length : {std::size_t{9}, bytes.size() / 4, bytes.size() / 2, bytes.size() - 1})
-    CHECK_THROWS_AS(restore_snapshot({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length)},
-                                     other.model, other.geometry),
-                    Error);
+  const auto refused = [&](const std::vector<std::byte>& wrong, const char* why) {
+    CHECK_THROWS_WITH(other.restore(wrong), Catch::Contains(why));
+    try {
+      other.restore(wrong);
+    } catch (const Error& error) {
+      CHECK(error.code() == ExitCode::checkpoint_unusable);
+    }
+  };
+  for (const std::size_t length : {std::size_t{0}, std::size_t{9}, bytes.size() / 4, bytes.size() - 1})
+    refused({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length)}, "saved state");
+  for (std::size_t at = 8; at < bytes.size(); at += bytes.size() / 50) {
+    auto flipped = bytes;
+    flipped[at] ^= std::byte{4};
+    refused(flipped, "checksum");
+  }
+  other.model.run_case.rock.density += 1;
+  refused(bytes, "another case");
   CHECK(other.geometry.number == 0);
-  CHECK_THROWS_AS(restore_snapshot(save_snapshot({0, 0, {}, original.state}, other.geometry), other.model,
-                                   other.geometry),
-                  Error);
 }
