@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The flow solver's state in a checkpoint: restored, or refused whole; what was restored can be computed with
+// The flow solver's state in a checkpoint, once as it is and once under a right checksum: restored, or refused whole; what was restored can be computed with
 // and saved.
 #include "common/case/case_json.hpp"
+#include "common/fracture_network/insertion_archive.hpp"
 #include "network/checkpoint.hpp"
 #include "network/network_solver.hpp"
 #include "tests/fuzz/judged.hpp"
@@ -23,14 +24,17 @@ void use(const FractureNetwork& network, double time, network::NetworkSolver& so
   fuzz::take_or_refuse([&] { (void)solver.advance(fuzz::advance_message(network, time, time + 0.1)); });
 }
 
+StateOwner owner() {
+  static const StateOwner of_water = network::network_owner(fuzz::water_case());
+  return of_water;
+}
+
 void restore(const std::vector<std::byte>& bytes) {
   network::NetworkSolver solver;
   solver.join({case_to_json(fuzz::water_case()), 1, true});
   solver.restore(bytes);
-  const network::Checkpoint checkpoint = network::checkpoint_from_bytes(bytes);
-  FractureNetwork network;
-  for (const Insertion& insertion : checkpoint.history) network.apply(insertion);
-  if (!network.empty()) use(network, checkpoint.state.time, solver);
+  const network::Checkpoint checkpoint = network::checkpoint_from_bytes(bytes, owner());
+  use(network_after(checkpoint.history), checkpoint.state.time, solver);
 }
 
 }  // namespace
@@ -38,5 +42,6 @@ void restore(const std::vector<std::byte>& bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size > largest_input) return 0;
   fuzz::take_or_refuse([&] { restore(fuzz::copied(data, size)); });
+  fuzz::take_or_refuse([&] { restore(fuzz::as_state_of(owner(), fuzz::bytes_of(data, size))); });
   return 0;
 }

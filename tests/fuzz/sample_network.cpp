@@ -108,4 +108,11 @@ Message advance_message(const FractureNetwork& network, double begin, double end
   return message;
 }
 
+std::vector<std::byte> as_state_of(const StateOwner& owner, std::span<const std::byte> inside) {
+  ByteWriter bytes;
+  begin_state(owner, bytes);
+  for (const std::byte value : inside) bytes.put(value);
+  return end_state(bytes);
+}
+
 }  // namespace fissura::fuzz

@@ -4,6 +4,7 @@
 #include "common/case/case.hpp"
 #include "common/exchange/message.hpp"
 #include "common/fracture_network/fracture_network.hpp"
+#include "common/state_blob.hpp"
 
 /// A short fracture and what is said about it, for seeds and as the state that a message meets.
 namespace fissura::fuzz {
@@ -25,5 +26,8 @@ Message pressure_message(const FractureNetwork& network);
 Message response_message(const FractureNetwork& network);
 /// From `begin` to `end` [s], for the flow solver.
 Message advance_message(const FractureNetwork& network, double begin, double end);
+
+/// These bytes as the state inside a blob of this owner, under a right checksum: a reader then looks at them.
+std::vector<std::byte> as_state_of(const StateOwner& owner, std::span<const std::byte> inside);
 
 }  // namespace fissura::fuzz

@@ -10,6 +10,7 @@
 #include "coupler/seismicity/catalogue/catalogue_csv.hpp"
 #include "coupler/seismicity/extraction.hpp"
 #include "network/network_solver.hpp"
+#include "structure/joints/network_topology.hpp"
 #include "tests/coupler/seismicity/sample_sources.hpp"
 #include "tests/fuzz/judged.hpp"
 #include "tests/fuzz/raw_frames.hpp"
@@ -51,27 +52,35 @@ void write_messages() {
   write_message("fail", fail);
 }
 
+/// A blob, and what is inside it.
+void write_state(const char* target, const std::string& name, const StateOwner& owner, const std::vector<std::byte>& blob) {
+  write(target, name, blob);
+  const auto inside = state_inside(blob, owner);
+  write(target, name + "_inside", std::vector<std::byte>(inside.begin(), inside.end()));
+}
+
 void write_network() {
   const Insertion first = fuzz::first_insertion(5), second = fuzz::growth(5);
   write("insertions", "two", nlohmann::json{insertion_to_json(first), insertion_to_json(second)}.dump());
   network::NetworkSolver solver;
   solver.join({case_to_json(fuzz::water_case()), 1, false});
   (void)solver.insert(first);
-  write("network_state", "dry", solver.save());
+  const StateOwner owner = network::network_owner(fuzz::water_case());
+  write_state("network_state", "dry", owner, solver.save());
   FractureNetwork network = fuzz::network_of(first);
   (void)solver.advance(fuzz::advance_message(network, 0, 0.1));
   (void)solver.insert(second);
-  write("network_state", "grown", solver.save());
+  write_state("network_state", "grown", owner, solver.save());
 }
 
 void write_rock() {
   const structure::StructureModel model = fuzz::small_rock_model();
-  structure::Geometry geometry = structure::build_geometry(model);
-  const structure::Snapshot snapshot{
-      0.5, 12, {fuzz::first_insertion(5)}, structure::initial_state(model, geometry)};
-  write("structure_state", "of_the_case", structure::save_snapshot(snapshot, geometry));
-  geometry.number = 1;
-  write("structure_state", "with_geometry", structure::save_snapshot(snapshot, geometry));
+  const structure::Geometry geometry = structure::build_geometry(model);
+  const structure::StructureState state = structure::initial_state(model, geometry);
+  structure::StructureHistory history;
+  history.insertions.push_back(structure::first_insertion(geometry.mesh, state.joints, model.run_case));
+  const StateOwner owner = structure::structure_owner(model.run_case);
+  write_state("structure_state", "at_rest", owner, structure::save_snapshot(owner, history, geometry, state, {}));
 }
 
 void write_seismicity() {

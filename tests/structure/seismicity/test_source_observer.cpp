@@ -4,6 +4,7 @@
 #include <random>
 
 #include "structure/dynamics/element_fields.hpp"
+#include "structure/joints/network_topology.hpp"
 #include "structure/structure_run.hpp"
 #include "structure/structure_snapshot.hpp"
 #include "tests/structure/fracture/failing_rock.hpp"
@@ -150,9 +151,12 @@ TEST_CASE("a structure that was saved in the middle of an episode tells the same
           "[structure][seismicity]") {
   ShakenRock rock(1);
   for (int index = 1; index <= 6; ++index) rock.sources(index);
-  const auto bytes = save_snapshot({6 * interval, 0, {}, rock.state}, rock.geometry);
+  const StateOwner owner = structure_owner(rock.model.run_case);
+  StructureHistory history;
+  history.insertions.push_back(first_insertion(rock.geometry.mesh, rock.state.joints, rock.model.run_case));
+  const auto bytes = save_snapshot(owner, history, rock.geometry, rock.state, {});
   ShakenRock other(1);
-  other.state = restore_snapshot(bytes, other.model, other.geometry).state;
+  other.state = restore_snapshot(bytes, owner, other.model).state;
   for (int index = 7; index <= 12; ++index) {
     rock.advance(index);
     other.advance(index);

@@ -95,12 +95,15 @@ double GrowingPlate::deviation() const {
 }
 
 void GrowingPlate::restart() {
-  tips_.dry(geometry_);
-  const std::vector<std::byte> bytes = save_snapshot({time_, 0, insertions_, state_}, geometry_);
-  geometry_ = build_geometry(model_);
-  state_ = restore_snapshot(bytes, model_, geometry_).state;
-  for (const Insertion& insertion : insertions_) geometry_.network.apply(insertion);
-  begin_run();
+  const StateOwner owner = structure_owner(model_.run_case);
+  StructureHistory history;
+  history.insertions = insertions_;
+  const std::vector<std::byte> bytes = save_snapshot(owner, history, geometry_, state_, tips_.wet());
+  Snapshot snapshot = restore_snapshot(bytes, owner, model_);
+  geometry_ = std::move(snapshot.geometry);
+  state_ = std::move(snapshot.state);
+  tips_.restore(std::move(snapshot.wet));
+  run_ = std::make_unique<StructureRun>(model_, geometry_);
 }
 
 }  // namespace fissura::structure
