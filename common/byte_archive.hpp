@@ -107,8 +107,8 @@ class ByteReader {
   void get(T& value) {
     std::underlying_type_t<T> found{};
     get(found);
-    require(std::cmp_greater_equal(found, 0) &&
-            found <= static_cast<std::underlying_type_t<T>>(last_of(T{})));
+    if constexpr (requires { last_of(T{}); })
+      require(std::cmp_greater_equal(found, 0) && found <= static_cast<std::underlying_type_t<T>>(last_of(T{})));
     value = static_cast<T>(found);
   }
   template <HasParts T>
