@@ -11,6 +11,7 @@ import unittest
 
 from trio import CASE, COUPLER, PROGRAMS, Run
 
+SMALL = pathlib.Path(__file__).resolve().parents[1] / "cases/fault_small"
 LONG = ("--set", 'time.end="1000 s"', "--set", 'output.interval="0.05 s"', "--set", "output.reports_per_segment=1")
 BRIEF = ("--until", "0.1 s")
 PATIENT = ("--set", 'deadlines.progress="60 s"')
@@ -47,6 +48,21 @@ class Watching(Ends):
         answer = coupler("status", "--json", run.directory)
         self.assertEqual(answer.returncode, 0, answer.stderr)
         return json.loads(answer.stdout)
+
+    def test_a_run_that_goes_on_tells_where_it_is(self):
+        with Run(*LONG) as run:
+            run.wait_until_running(segments=2)
+            first = self.status(run)
+            self.assertEqual(first["state"], "running")
+            self.assertEqual(first["pid"], run.process.pid)
+            self.assertGreater(first["interval"], 0)
+            self.assertEqual(first["end"], 1000)
+            self.assertGreater(first["time"], 0)
+            self.assertGreater(first["ledger"]["injected"], 0)
+            self.assertGreater(first["wall_seconds_left"], 0)
+            text = coupler("status", run.directory).stdout
+            for word in ("running", "of 1000 s", "drift", "injected", "waits for", "checkpoint"):
+                self.assertIn(word, text)
 
     def test_while_a_participant_is_stopped_the_answer_names_it_at_once(self):
         with Run(*LONG) as run:
@@ -160,6 +176,70 @@ class Stopping(Ends):
             for pid in [*run.pids(), run.process.pid]:
                 os.kill(pid, signal.SIGTERM)
             self.check_end(run, 143, "ended at a coupling time, as asked")
+
+
+class Healing(Ends):
+    """A small case that is cut by a natural fracture, with a checkpoint every five intervals."""
+
+    def healed(self, *options, **others):
+        return Run("--heal", "--set", "checkpoint.intervals=5", *options, case=SMALL, form=None, **others)
+
+    def bytes_of(self, run):
+        files = [*sorted((run.directory / "segments").glob("*.h5")), run.directory / "history.csv", run.directory / "ledger.csv"]
+        return {file.name: file.read_bytes() for file in files}
+
+    @classmethod
+    def setUpClass(cls):
+        with Run(case=SMALL, form=None) as run:
+            assert run.wait() == 0, run.errors
+            cls.undisturbed = cls.bytes_of(cls, run)
+
+    def check_same(self, run, deaths):
+        self.assertEqual(run.wait(), 0, run.errors)
+        self.assertEqual(run.pids(), [], "orphans")
+        found = report(run)
+        self.assertEqual((found["code"], found["epoch"], len(found["deaths"])), (0, deaths, deaths))
+        self.assertEqual(run.errors.count("coupler: healing: "), deaths)
+        self.assertEqual(self.bytes_of(run), self.undisturbed)
+        return found
+
+    def test_whoever_dies_the_run_goes_on_to_the_same_bytes(self):
+        for role in ("structure", "network", "coupler"):
+            with self.subTest(role), self.healed("--fault", f"{role}@23=kill") as run:
+                death, = self.check_same(run, 1)["deaths"]
+                self.assertEqual((death["participant"], death["interval"], death["checkpoint"]), (role, 23, 20))
+                self.assertIn("The run goes on from interval 20 (epoch 1)", run.errors)
+
+    def test_what_hangs_or_sends_nonsense_is_healed_too(self):
+        for fault, code in (("network@23=spin", 21), ("structure@23=nan", 23), ("coupler@23=exit", 20)):
+            with self.subTest(fault), self.healed("--set", 'deadlines.progress="2 s"', "--fault", fault) as run:
+                self.assertEqual(self.check_same(run, 1)["deaths"][0]["code"], code)
+
+    def test_before_the_first_checkpoint_it_begins_again(self):
+        with self.healed("--fault", "structure@3=kill") as run:
+            self.assertIsNone(self.check_same(run, 1)["deaths"][0]["checkpoint"])
+            self.assertIn("The run goes on from the beginning (epoch 1)", run.errors)
+
+    def test_numbers_that_do_not_converge_are_not_healed(self):
+        with self.healed("--fault", "structure@23=fail") as run:
+            self.assertEqual(len(self.check_end(run, 24, "(from interval 20)")["deaths"]), 1)
+
+    def test_deaths_at_one_place_end_it(self):
+        with tempfile.TemporaryDirectory() as home:
+            network = pathlib.Path(home) / "network"
+            network.write_text("#!/bin/sh\nexit 3\n")
+            network.chmod(0o755)
+            with self.healed("--network", network) as run:
+                found = self.check_end(run, 20, "network ended with exit code 3", "healing ends after 3 deaths")
+                self.assertEqual(len(found["deaths"]), 3)
+
+    def test_a_stop_while_it_heals_ends_it_with_a_checkpoint(self):
+        with self.healed("--set", 'time.end="100 s"', "--fault", "network@23=kill") as run:
+            run.wait_until_running()
+            while json.loads(coupler("status", "--json", run.directory).stdout).get("epoch", 0) < 1:
+                time.sleep(0.01)
+            run.process.send_signal(signal.SIGTERM)
+            self.check_end(run, 143, "ended at a coupling time, as asked", "(from interval")
 
 
 class Leftovers(Ends):
