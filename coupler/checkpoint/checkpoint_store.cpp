@@ -223,9 +223,12 @@ void CheckpointStore::set_aside_newer_than(std::optional<std::uint64_t> interval
 
 std::vector<std::string> CheckpointStore::names() const {
   std::vector<std::string> found;
-  std::error_code missing;
-  for (const auto& entry : fs::directory_iterator(folder_, missing))
+  std::error_code failure;
+  for (const auto& entry : fs::directory_iterator(folder_, failure))
     if (const std::string name = entry.path().filename().string(); interval_of(name)) found.push_back(name);
+  // Whoever removes superfluous ones must not take a folder that cannot be read for an empty one.
+  if (failure && failure != std::errc::no_such_file_or_directory && failure != std::errc::not_a_directory)
+    fail("read", folder_, failure.message());
   std::sort(found.begin(), found.end(),
             [](const std::string& a, const std::string& b) { return *interval_of(a) < *interval_of(b); });
   return found;

@@ -55,7 +55,7 @@ class CheckpointStore {
 
   /// The newest checkpoint of which every byte is as written and that `refusal` lets pass, and what is wrong
   /// with newer ones. Opens no file of another size, and uses none of another hash, than its manifest says.
-  /// Never throws for damage.
+  /// Never throws for damage, but StorageError if it cannot be known which ones there are.
   [[nodiscard]] FoundCheckpoint newest_usable(const Refusal& refusal) const;
   /// The same without refusal.
   [[nodiscard]] FoundCheckpoint newest_whole() const;
@@ -67,7 +67,7 @@ class CheckpointStore {
   /// happen. They are renamed to NAME.unusable, and go with the next write(). Throws StorageError.
   void set_aside_newer_than(std::optional<std::uint64_t> interval);
 
-  /// Names of all complete folders, oldest first.
+  /// Names of all complete folders, oldest first. Throws StorageError if that cannot be known.
   [[nodiscard]] std::vector<std::string> names() const;
 
  private:

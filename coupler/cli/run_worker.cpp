@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 
 #include "common/case/case_json.hpp"
 #include "common/faults/fault_point.hpp"
@@ -107,6 +108,8 @@ class Worker {
       return fail(failure.code(), name(failure.role), failure.what());
     } catch (const Error& failure) {
       return fail(failure.code(), "coupler", failure.what());
+    } catch (const std::filesystem::filesystem_error& failure) {
+      return fail(ExitCode::storage_failure, "coupler", failure.what());
     } catch (const std::bad_alloc&) {
       return fail(ExitCode::out_of_memory, "coupler", "out of memory");
     } catch (const std::exception& failure) {
@@ -331,6 +334,9 @@ int run_worker(const PreparedRun& run, const Attempt& attempt, StatusPage& statu
   } catch (const Error& failure) {
     status.fail(failure_of(failure.code(), "coupler", 0, "start", failure.what()));
     return static_cast<int>(failure.code());
+  } catch (const std::filesystem::filesystem_error& failure) {
+    status.fail(failure_of(ExitCode::storage_failure, "coupler", 0, "start", failure.what()));
+    return static_cast<int>(ExitCode::storage_failure);
   } catch (const std::exception& failure) {
     status.fail(failure_of(ExitCode::internal, "coupler", 0, "start", failure.what()));
     return static_cast<int>(ExitCode::internal);

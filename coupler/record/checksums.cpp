@@ -58,7 +58,9 @@ void write_checksums(const fs::path& run_directory, const Checksums& known) {
     if (fs::is_regular_file(run_directory / name)) add(run_directory, run_directory / name, known, sums);
   for (const char* folder : result_folders) {
     std::error_code failure;
-    if (!fs::exists(run_directory / folder, failure)) continue;
+    const bool exists = fs::exists(run_directory / folder, failure);
+    if (failure) throw StorageError(fmt::format("cannot read {}: {}", folder, failure.message()));
+    if (!exists) continue;
     for (const auto& entry : fs::recursive_directory_iterator(run_directory / folder, failure))
       if (entry.is_regular_file() && is_result(entry.path())) add(run_directory, entry.path(), known, sums);
     if (failure) throw StorageError(fmt::format("cannot read {}: {}", folder, failure.message()));

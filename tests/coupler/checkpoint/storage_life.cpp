@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// storage_life DIRECTORY LAST: one life of a run that only writes, to interval LAST, with a checkpoint after every second interval; it goes on
-// from the newest usable checkpoint of DIRECTORY. A line on stdout after each checkpoint and at the end; ends with the exit code of
-// its failure. The calls of the system that count come after a look for the file "storage_life begins".
-// storage_life DIRECTORY: tells the newest usable checkpoint and what is wrong with others, changing nothing.
+// storage_life DIRECTORY LAST: one life of a run that only writes, to interval LAST, with a checkpoint after
+// every second interval; it goes on from the newest usable checkpoint of DIRECTORY. A line on stdout after
+// each checkpoint and at the end; ends with the exit code of its failure. The calls of the system that count
+// come after a look for the file "storage_life begins". storage_life DIRECTORY: tells the newest usable
+// checkpoint and what is wrong with others, changing nothing.
 #include <unistd.h>
 
 #include <cstdio>
@@ -34,7 +35,8 @@ std::vector<std::byte> bytes_of(std::uint64_t number) {
 }
 
 /// Every state must be of the interval of the manifest: a mixed checkpoint would not be.
-std::optional<std::string> reason_against(const std::filesystem::path& directory, const Checkpoint& checkpoint) {
+std::optional<std::string> reason_against(const std::filesystem::path& directory,
+                                          const Checkpoint& checkpoint) {
   for (const char* state : {"scheme", "structure", "network"})
     if (checkpoint.states.at(state) != bytes_of(checkpoint.manifest.interval)) return "MIXED";
   try {
@@ -46,8 +48,9 @@ std::optional<std::string> reason_against(const std::filesystem::path& directory
 }
 
 FoundCheckpoint found_in(const std::filesystem::path& directory) {
-  return CheckpointStore(directory, 2).newest_usable(
-      [&](const Checkpoint& checkpoint) { return reason_against(directory, checkpoint); });
+  return CheckpointStore(directory, 2).newest_usable([&](const Checkpoint& checkpoint) {
+    return reason_against(directory, checkpoint);
+  });
 }
 
 void write_checkpoint(CheckpointStore& store, RunRecord& record, std::uint64_t interval) {
@@ -104,6 +107,10 @@ int main(int argc, char** argv) {
   } catch (const Error& failure) {
     std::fprintf(stderr, "%s\n", failure.what());
     return static_cast<int>(failure.code());
+  } catch (const std::filesystem::filesystem_error& failure) {
+    // As the worker of a run tells it.
+    std::fprintf(stderr, "%s\n", failure.what());
+    return static_cast<int>(ExitCode::storage_failure);
   } catch (const std::exception& failure) {
     std::fprintf(stderr, "unexpected: %s\n", failure.what());
     return static_cast<int>(ExitCode::internal);

@@ -155,3 +155,12 @@ TEST_CASE("a checkpoint that cannot be created says where and why", "[coupler][c
   CHECK_THROWS_WITH(store.write(sample::checkpoint(1)), Catch::Contains("checkpoints"));
   CHECK_FALSE(store.newest_whole().checkpoint);
 }
+
+TEST_CASE("a folder of checkpoints that cannot be read is not taken for an empty one",
+          "[coupler][checkpoint]") {
+  const sample::TemporaryDirectory folder;
+  fs::create_symlink("checkpoints", folder.path() / "checkpoints");
+  const CheckpointStore store(folder.path(), 2);
+  CHECK_THROWS_AS(store.names(), StorageError);
+  CHECK_THROWS_AS(store.newest_whole(), StorageError);
+}
