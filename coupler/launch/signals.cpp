@@ -19,7 +19,7 @@ Signals::Signals() {
   sigemptyset(&set_);
   for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) sigaddset(&set_, signal);
   if (!is_ignored(SIGHUP)) sigaddset(&set_, SIGHUP);
-  for (const int signal : {SIGPIPE, SIGTTOU}) std::signal(signal, SIG_IGN);
+  for (const int signal : {SIGPIPE, SIGTTOU, SIGXFSZ}) std::signal(signal, SIG_IGN);
   ::sigprocmask(SIG_BLOCK, &set_, &previous_);
   descriptor_ = ::signalfd(-1, &set_, SFD_CLOEXEC | SFD_NONBLOCK);
 }

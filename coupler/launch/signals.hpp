@@ -10,9 +10,9 @@
 namespace fissura::coupler {
 
 /// The signals by which a user asks something of a run, read from a descriptor instead of handled: SIGINT,
-/// SIGTERM, SIGHUP (unless it was ignored when the program started, as under nohup) and SIGUSR1. SIGPIPE and
-/// SIGTTOU are ignored: a log that nobody reads any more, or a terminal that wants no output from the
-/// background, does not end a run.
+/// SIGTERM, SIGHUP (unless it was ignored when the program started, as under nohup) and SIGUSR1. SIGPIPE,
+/// SIGTTOU and SIGXFSZ are ignored: a log that nobody reads any more, or a terminal that wants no output from
+/// the background, does not end a run, and a file beyond its limit is a failed write.
 class Signals {
  public:
   Signals();
