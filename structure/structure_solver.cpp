@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "common/case/case_json.hpp"
 #include "common/errors.hpp"
@@ -26,6 +28,18 @@ namespace {
 constexpr double tip_sizes_far_away = 10;  // from which on a slip counts as far from the hydraulic fracture
 
 constexpr double reported_slip = 1e-6;  // before time 0 [m]
+
+constexpr double any_size = std::numeric_limits<double>::infinity();
+
+void require_within(double least, double greatest, const std::vector<double>& values, const char* field,
+                    const FractureNetwork& network) {
+  const auto found = std::find_if(values.begin(), values.end(),
+                                  [&](double value) { return value < least || value > greatest; });
+  if (found == values.end()) return;
+  const NetworkNode& node = network.nodes()[static_cast<std::size_t>(found - values.begin())];
+  throw ValueError(fmt::format("{} of node {} at ({:g}, {:g}) m is {:g}, expected [{:g}, {:g}]", field, node.id,
+                               node.x, node.y, *found, least, greatest));
+}
 
 }  // namespace
 
@@ -196,6 +210,12 @@ void StructureSolver::set_ramps_of(const Message& command) {
   const auto aperture_begin = command.numbers("aperture_begin", nodes),
              aperture_end = command.numbers("aperture_end", nodes);
   const auto stiffness = command.numbers("stiffness", nodes);
+  const PressureRange& pressure = model_->run_case.pressure_range;
+  require_within(pressure.minimum, pressure.maximum, pressure_begin, "pressure_begin", geometry_.network);
+  require_within(pressure.minimum, pressure.maximum, pressure_end, "pressure_end", geometry_.network);
+  require_within(0, any_size, aperture_begin, "aperture_begin", geometry_.network);
+  require_within(0, any_size, aperture_end, "aperture_end", geometry_.network);
+  require_within(0, any_size, stiffness, "stiffness", geometry_.network);
   std::vector<PressureRamp> ramps;
   for (std::size_t i = 0; i < nodes; ++i)
     ramps.push_back({pressure_begin[i], pressure_end[i], aperture_begin[i], aperture_end[i], stiffness[i]});

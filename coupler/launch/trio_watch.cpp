@@ -79,6 +79,12 @@ void Trio::process_ended(Participant& each) {
       code = static_cast<ExitCode>(end.exit_code);
     sentence += " before it introduced itself";
     if (!each.refusal.empty()) sentence += "; somebody was refused: " + each.refusal;
+  } else if (!end.signal && end.exit_code == static_cast<int>(ExitCode::participant_died)) {
+    code = ExitCode::participant_unresponsive;
+    sentence = "has ended because its connection to the coupler was cut";
+  } else if (!end.signal && end.exit_code == static_cast<int>(ExitCode::participant_unresponsive)) {
+    code = ExitCode::participant_unresponsive;
+    sentence = "has ended because nothing reached it on its connection to the coupler";
   }
   fail(code, each, sentence);
 }

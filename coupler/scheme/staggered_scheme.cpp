@@ -36,6 +36,16 @@ double least_bulk_modulus(const std::vector<Fluid>& fluids) {
   return least;
 }
 
+/// What `read` makes of a message of `role`; what is wrong with it is the fault of that participant.
+template <typename Read>
+auto told_by(Role role, const Read& read) {
+  try {
+    return read();
+  } catch (const Error& fault) {
+    throw ParticipantFailure(fault.code(), role, fmt::format("{} sent what cannot be: {}", name(role), fault.what()));
+  }
+}
+
 }  // namespace
 
 StaggeredScheme::StaggeredScheme(const Case& run_case, double end, Trio& trio, RunRecord& record,
@@ -108,7 +118,8 @@ NetworkAnswer StaggeredScheme::advance_network_over(const CouplingInterval& inte
                             coupling.fracture_normal_stiffness);
   const Message answer = trio_.request(
       Role::network, advance_network(interval, state_.network.revision(), estimate), MessageType::pressure);
-  return read_pressure(answer, state_.network, case_.pressure_range);
+  return told_by(Role::network,
+                 [&] { return read_pressure(answer, state_.network, case_.pressure_range); });
 }
 
 StructureResponse StaggeredScheme::advance_structure_over(const CouplingInterval& interval,
@@ -126,7 +137,8 @@ StructureResponse StaggeredScheme::advance_structure_over(const CouplingInterval
       advance_structure(interval, state_.network.revision(), ramps,
                         report_is_due(interval.end) ? StrainEnergy::wanted : StrainEnergy::not_wanted),
       MessageType::response);
-  return read_response(response, state_.network, case_.pressure_range);
+  return told_by(Role::structure,
+                 [&] { return read_response(response, state_.network, case_.pressure_range); });
 }
 
 void StaggeredScheme::check_ledger(const NetworkAnswer& answer) const {
@@ -207,9 +219,10 @@ void StaggeredScheme::insert(const Insertion& insertion) {
           fmt::format("{} has another fracture network after revision {} (hash {:.8}..., expected {:.8}...)",
                       name(role), state_.network.revision(), found, expected));
     if (role != Role::structure) continue;
-    state_.structure = read_response(acknowledgement, state_.network, case_.pressure_range);
-    record_.remeshing(state_.network, read_remeshing(acknowledgement));
-    record_.meetings(state_.network, read_meetings(acknowledgement));
+    state_.structure =
+        told_by(role, [&] { return read_response(acknowledgement, state_.network, case_.pressure_range); });
+    record_.remeshing(state_.network, told_by(role, [&] { return read_remeshing(acknowledgement); }));
+    record_.meetings(state_.network, told_by(role, [&] { return read_meetings(acknowledgement); }));
   }
   for (std::size_t i = state_.network_pressure.size(); i < state_.network.nodes().size(); ++i) {
     const NetworkNode& node = state_.network.nodes()[i];
