@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <deque>
 #include <map>
+#include <span>
 #include <zmq.hpp>
 
 #include "common/errors.hpp"
@@ -39,24 +41,56 @@ std::chrono::milliseconds milliseconds(Seconds patience) {
   return std::chrono::milliseconds(static_cast<long>(std::ceil(std::max(0.0, patience.count()) * 1000)));
 }
 
-void release_vector(void*, void* hint) { delete static_cast<std::vector<std::byte>*>(hint); }
+void release_vector(void*, void* hint) {
+  delete static_cast<std::vector<std::byte>*>(hint);
+}
 
 zmq::message_t frame_owning(std::vector<std::byte>&& bytes) {
   auto* owner = new std::vector<std::byte>(std::move(bytes));
   return zmq::message_t(owner->data(), owner->size(), release_vector, owner);
 }
 
+/// Calls `transfer` again if a signal that the process handles (a request for its stack) came in between.
+template <typename Transfer>
+auto uninterrupted(const Transfer& transfer) {
+  for (;;) {
+    try {
+      return transfer();
+    } catch (const zmq::error_t& fault) {
+      if (fault.num() != EINTR) throw;
+    }
+  }
+}
+
 bool send_frames(zmq::socket_t& socket, EncodedMessage&& encoded) {
   const auto more = zmq::send_flags::sndmore | zmq::send_flags::dontwait;
-  if (!socket.send(zmq::buffer(encoded.envelope), more)) return false;
+  if (!uninterrupted([&] { return socket.send(zmq::buffer(encoded.envelope), more); })) return false;
   const bool has_arrays = !encoded.arrays.empty();
-  if (!socket.send(zmq::buffer(encoded.body), has_arrays ? more : zmq::send_flags::dontwait)) return false;
+  if (!uninterrupted([&] {
+        return socket.send(zmq::buffer(encoded.body), has_arrays ? more : zmq::send_flags::dontwait);
+      }))
+    return false;
   for (std::size_t i = 0; i < encoded.arrays.size(); ++i) {
     const bool last = i + 1 == encoded.arrays.size();
     zmq::message_t frame = frame_owning(std::move(encoded.arrays[i]));
-    if (!socket.send(frame, last ? zmq::send_flags::dontwait : more)) return false;
+    if (!uninterrupted([&] { return socket.send(frame, last ? zmq::send_flags::dontwait : more); }))
+      return false;
   }
   return true;
+}
+
+/// Returns early where a signal comes.
+void poll(std::span<zmq::pollitem_t> items, Seconds patience) {
+  try {
+    zmq::poll(items.data(), items.size(), milliseconds(patience));
+  } catch (const zmq::error_t& fault) {
+    if (fault.num() != EINTR) throw;
+    for (zmq::pollitem_t& item : items) item.revents = 0;
+  }
+}
+
+bool receive_frame(zmq::socket_t& socket, zmq::message_t& frame) {
+  return uninterrupted([&] { return socket.recv(frame, zmq::recv_flags::dontwait).has_value(); });
 }
 
 /// All frames of one message, or none if nothing is waiting.
@@ -64,7 +98,7 @@ std::vector<zmq::message_t> receive_frames(zmq::socket_t& socket) {
   std::vector<zmq::message_t> frames;
   do {
     zmq::message_t frame;
-    if (!socket.recv(frame, zmq::recv_flags::dontwait)) break;
+    if (!receive_frame(socket, frame)) break;
     frames.push_back(std::move(frame));
   } while (frames.back().more());
   return frames;
@@ -128,7 +162,8 @@ class StampCheck {
     if (stamp.epoch != epoch)
       throw ProtocolError(fmt::format("{} belongs to epoch {}, this is epoch {}", label, stamp.epoch, epoch));
     if (stamp.sequence > expected_)
-      throw ProtocolError(fmt::format("{} message(s) before {} were lost", stamp.sequence - expected_, label));
+      throw ProtocolError(
+          fmt::format("{} message(s) before {} were lost", stamp.sequence - expected_, label));
     if (stamp.sequence < expected_) throw ProtocolError(label + " came twice");
     ++expected_;
   }
@@ -164,8 +199,9 @@ class ParticipantChannel::Implementation {
   }
 
   std::variant<Message, Silence, ConnectionLost> receive(Seconds patience) {
-    zmq::pollitem_t items[] = {{socket_.handle(), 0, ZMQ_POLLIN, 0}, {monitor_.socket().handle(), 0, ZMQ_POLLIN, 0}};
-    zmq::poll(items, 2, lost_ ? std::chrono::milliseconds(0) : milliseconds(patience));
+    zmq::pollitem_t items[] = {{socket_.handle(), 0, ZMQ_POLLIN, 0},
+                               {monitor_.socket().handle(), 0, ZMQ_POLLIN, 0}};
+    poll(items, lost_ ? Seconds(0) : patience);
     const std::vector<zmq::message_t> frames = receive_frames(socket_);
     if (!frames.empty()) {
       DecodedMessage decoded = decode_frames(frames);
@@ -199,7 +235,9 @@ ParticipantChannel::~ParticipantChannel() = default;
 void ParticipantChannel::adopt_run(const RunId& run, std::uint32_t epoch) {
   implementation_->adopt_run(run, epoch);
 }
-void ParticipantChannel::send(Message message) { implementation_->send(std::move(message)); }
+void ParticipantChannel::send(Message message) {
+  implementation_->send(std::move(message));
+}
 std::variant<Message, Silence, ConnectionLost> ParticipantChannel::receive(Seconds patience) {
   return implementation_->receive(patience);
 }
@@ -230,7 +268,7 @@ class CouplerChannel::Implementation {
     const std::string label = name(message.type);
     try {
       const auto flags = zmq::send_flags::sndmore | zmq::send_flags::dontwait;
-      if (!socket_.send(zmq::buffer(peer.identity), flags) ||
+      if (!uninterrupted([&] { return socket_.send(zmq::buffer(peer.identity), flags); }) ||
           !send_frames(socket_, encode(std::move(message), {run_, epoch_, peer.sent})))
         throw ProtocolError(fmt::format("{} could not be sent: the outgoing queue is full", label));
       ++peer.sent;
@@ -244,7 +282,7 @@ class CouplerChannel::Implementation {
     std::vector<zmq::pollitem_t> items{{socket_.handle(), 0, ZMQ_POLLIN, 0},
                                        {monitor_.socket().handle(), 0, ZMQ_POLLIN, 0}};
     for (const int descriptor : descriptors) items.push_back({nullptr, descriptor, ZMQ_POLLIN, 0});
-    zmq::poll(items, milliseconds(patience));
+    poll(items, patience);
 
     if (std::optional<Event> event = next_message()) return std::move(*event);
     while (const std::optional<int> descriptor = monitor_.lost_connection())
@@ -310,8 +348,12 @@ class CouplerChannel::Implementation {
 CouplerChannel::CouplerChannel(const std::string& endpoint, const RunId& run, std::uint32_t epoch)
     : implementation_(std::make_unique<Implementation>(endpoint, run, epoch)) {}
 CouplerChannel::~CouplerChannel() = default;
-const std::string& CouplerChannel::endpoint() const { return implementation_->endpoint(); }
-void CouplerChannel::send(PeerNumber peer, Message message) { implementation_->send(peer, std::move(message)); }
+const std::string& CouplerChannel::endpoint() const {
+  return implementation_->endpoint();
+}
+void CouplerChannel::send(PeerNumber peer, Message message) {
+  implementation_->send(peer, std::move(message));
+}
 CouplerChannel::Event CouplerChannel::wait(Seconds patience, const std::vector<int>& descriptors) {
   return implementation_->wait(patience, descriptors);
 }
