@@ -78,6 +78,7 @@ int main(int argc, char** argv) {
   run->add_option("--fault-plan", options.fault_plan, "injects the faults of this file (docs/operation.md)")
       ->type_name("FILE");
   run->add_flag("--heal", options.heal, "goes on by itself after a process died or hung");
+  run->add_flag("--debug-attach", options.debug_attach, "for a debugger: no deadline ends the run");
   run->add_flag("--json", options.json, "prints the summary as JSON");
 
   fissura::coupler::ResumeOptions resume_options;

@@ -22,6 +22,7 @@ struct PreparedRun {
   std::string structure_command, network_command;
   int threads = 1;
   bool json = false;
+  bool debug_attach = false;  ///< a debugger may hold a process: no deadline ends the run
   std::optional<std::filesystem::path> fault_plan_file;  ///< absolute
   FaultPlan fault_plan;
   std::vector<std::string> command_line;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <set>
 #include <thread>
 
@@ -97,7 +98,9 @@ int supervised(const PreparedRun& prepared, const Attempt& first, bool heals) {
   // Threads of the structure that wait for each other long would keep the other two processes from the cores.
   ::setenv("GOMP_SPINCOUNT", "1000", 0);
   StatusPage status(run.directory / "status");
-  Supervision supervision{run.directory, run.reading.value.deadlines.progress, {}, first};
+  constexpr double no_deadline = std::numeric_limits<double>::infinity();
+  const double deadline = run.debug_attach ? no_deadline : run.reading.value.deadlines.progress;
+  Supervision supervision{run.directory, deadline, {}, first};
   supervision.healing.wanted = heals;
   return supervise(status, supervision,
                    [&](const Attempt& attempt) { return run_worker(run, attempt, status); });
@@ -126,6 +129,7 @@ PreparedRun prepare_run(const RunOptions& options) {
   run.threads = options.threads > 0 ? options.threads
                                     : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   run.json = options.json;
+  run.debug_attach = options.debug_attach;
   run.command_line = options.command_line;
   run.run_id = random_run_id();
   return run;

@@ -23,6 +23,7 @@ struct RunOptions {
   std::optional<std::filesystem::path> fault_plan;
   int threads = 0;                   ///< of the structure; 0: every core
   bool heal = false;                 ///< go on by itself after a death
+  bool debug_attach = false;         ///< a debugger may hold a process: no deadline ends the run
   bool json = false;                 ///< print summary.json instead of the table
   std::vector<std::string> command_line;
 };

@@ -118,12 +118,19 @@ class Worker {
   }
 
  private:
-  [[nodiscard]] TrioOptions trio_options() const {
+  [[nodiscard]] TrioOptions trio_options() {
     const Case& run_case = run_.reading.value;
-    return {run_case.exchange.endpoint == "ipc" ? socket_.endpoint() : run_case.exchange.endpoint,
-            {run_.structure_command, run_.network_command},
-            run_.threads,
-            run_case.deadlines};
+    TrioOptions options;
+    options.endpoint = run_case.exchange.endpoint == "ipc" ? socket_.endpoint() : run_case.exchange.endpoint;
+    options.command = {run_.structure_command, run_.network_command};
+    options.threads = run_.threads;
+    options.deadlines = run_case.deadlines;
+    options.debug_attach = run_.debug_attach;
+    options.on_warning = [this](Role role, const char* event, const std::string& text) {
+      log::warn(text);
+      if (recording_) record_.event(EventLevel::warn, name(role), event, text);
+    };
+    return options;
   }
 
   /// Without the participants, which say who they are at the handshake.
@@ -229,6 +236,9 @@ class Worker {
                     checkpoint ? fmt::format("after interval {}, epoch {}", checkpoint->manifest.interval,
                                              attempt_.epoch)
                                : fmt::format("from the beginning, epoch {}", attempt_.epoch));
+    if (!trio_.can(Role::structure, "save") || !trio_.can(Role::network, "save"))
+      record_.event(EventLevel::warn, "coupler", "checkpoint",
+                    "a participant cannot save its state: the run keeps no checkpoints");
     if (checkpoint) return;
     const NaturalFractureReport& natural = run_.reading.natural_fractures;
     if (natural.given + natural.drawn > 0)

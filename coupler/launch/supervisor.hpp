@@ -18,7 +18,7 @@ struct Attempt {
 
 struct Supervision {
   std::filesystem::path directory;  ///< of the run, claimed by this process
-  double deadline = 0;              ///< wall seconds the worker may go without a beat
+  double deadline = 0;              ///< wall seconds the worker may go without a beat; infinite: it may be stopped, too
   Healing healing;
   Attempt first;
 };

@@ -18,6 +18,7 @@ constexpr Seconds tick{0.05};
 constexpr double farewell = 0.5;  // wall seconds a participant may take to end after being told
 constexpr double parting = 0.15;  // wall seconds between the end of a connection and that of its process
 constexpr int most_at_once = 256;
+constexpr double patience_for_a_debugger = 1e9;  // wall seconds
 
 double since(std::chrono::steady_clock::time_point start) {
   return Seconds(std::chrono::steady_clock::now() - start).count();
@@ -303,7 +304,7 @@ void Trio::greet(PeerNumber peer, Participant& each, const Message& hello) {
                   {"case", run_case_},
                   {"resumes", start_ == Start::resuming},
                   {"threads", each.role == Role::structure ? options_.threads : 1},
-                  {"coupler_deadline", options_.deadlines.progress}};
+                  {"coupler_deadline", options_.debug_attach ? patience_for_a_debugger : options_.deadlines.progress}};
   say(each, std::move(welcome));
   show(each);
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 
+#include <cmath>
 #include <csignal>
 #include <cstring>
 
@@ -119,7 +120,7 @@ bool WorkerWatch::is_stopped() {
     stopped_since_.reset();
   else if (!stopped_since_)
     stopped_since_ = last_look_;
-  return stopped_since_ && since(*stopped_since_) > stop_tolerance;
+  return stopped_since_ && since(*stopped_since_) > stop_tolerance && std::isfinite(deadline_);
 }
 
 bool WorkerWatch::is_stuck() {

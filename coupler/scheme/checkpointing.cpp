@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -44,7 +45,13 @@ Checkpointing::Checkpointing(const CheckpointControls& controls, Provenance prov
       status_(status),
       requests_(status.checkpoints_requested()) {}
 
+bool Checkpointing::is_possible() const {
+  return std::all_of(both.begin(), both.end(),
+                     [this](Role role) { return trio_.can(role, "save") && trio_.can(role, "restore"); });
+}
+
 bool Checkpointing::is_due(std::uint64_t interval) const {
+  if (!is_possible()) return false;
   if (status_.checkpoints_requested() != requests_) return true;
   if (controls_.intervals > 0 && interval - last_interval_ >= static_cast<std::uint64_t>(controls_.intervals))
     return true;

@@ -26,7 +26,11 @@ class Checkpointing {
 
   /// Whether a checkpoint should be kept after coupling interval `interval`: enough time has passed, enough
   /// intervals have, or somebody asked.
+  /// Never if a participant cannot save and restore its state.
   [[nodiscard]] bool is_due(std::uint64_t interval) const;
+
+  /// Whether both participants can save and restore their states. @pre the trio has been started
+  [[nodiscard]] bool is_possible() const;
 
   /// Whether the newest checkpoint is that after coupling interval `interval`.
   [[nodiscard]] bool has_kept(std::uint64_t interval) const {

@@ -75,7 +75,7 @@ SchemeOutcome StaggeredScheme::run() {
     if (checkpointing_.is_due(interval.index)) checkpointing_.keep(state_);
   }
   if (state_.clock.finished()) return {0, insertions()};
-  if (!checkpointing_.has_kept(state_.clock.index())) checkpointing_.keep(state_);
+  if (checkpointing_.is_possible() && !checkpointing_.has_kept(state_.clock.index())) checkpointing_.keep(state_);
   return {status_.stop_signal(), insertions()};
 }
 
