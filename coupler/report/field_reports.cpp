@@ -38,21 +38,27 @@ const std::string& segment_with(const std::map<std::uint64_t, std::string>& segm
 }  // namespace
 
 FieldReports::FieldReports(const std::filesystem::path& run_directory) : folder_(run_directory / "segments") {
-  if (!std::filesystem::exists(folder_ / "index.jsonl")) return;
-  for (const std::string& line : whole_lines(folder_ / "index.jsonl")) {
-    const nlohmann::json entry = nlohmann::json::parse(line);
-    const std::string segment = entry.at("file");
-    for (const std::uint64_t geometry : entry.at("meshes")) segment_of_mesh_[geometry] = segment;
-    for (const std::uint64_t revision : entry.at("networks")) segment_of_network_[revision] = segment;
-    const std::uint64_t last = entry.at("reports").at(1);
-    for (std::uint64_t number = entry.at("reports").at(0); number <= last; ++number) {
-      const std::string group = fmt::format("/reports/{:06}", number);
-      const Hdf5File& file = opened(segment);
-      segment_of_report_[number] = segment;
-      reports_.push_back({number, file.read_number(group, "time"),
-                          static_cast<std::uint64_t>(file.read_number(group, "geometry")),
-                          static_cast<std::uint64_t>(file.read_number(group, "revision"))});
-    }
+  const std::filesystem::path index = folder_ / "index.jsonl";
+  if (!std::filesystem::exists(index)) return;
+  try {
+    for (const std::string& line : whole_lines(index)) take_in(nlohmann::json::parse(line));
+  } catch (const nlohmann::json::exception& fault) {
+    throw StorageError(fmt::format("{} is damaged: {}", index.string(), fault.what()));
+  }
+}
+
+void FieldReports::take_in(const nlohmann::json& entry) {
+  const std::string segment = entry.at("file");
+  for (const std::uint64_t geometry : entry.at("meshes")) segment_of_mesh_[geometry] = segment;
+  for (const std::uint64_t revision : entry.at("networks")) segment_of_network_[revision] = segment;
+  const std::uint64_t last = entry.at("reports").at(1);
+  for (std::uint64_t number = entry.at("reports").at(0); number <= last; ++number) {
+    const std::string group = fmt::format("/reports/{:06}", number);
+    const Hdf5File& file = opened(segment);
+    segment_of_report_[number] = segment;
+    reports_.push_back({number, file.read_number(group, "time"),
+                        static_cast<std::uint64_t>(file.read_number(group, "geometry")),
+                        static_cast<std::uint64_t>(file.read_number(group, "revision"))});
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,8 @@ class FieldReports {
   std::vector<double> of_mesh(std::uint64_t geometry, const std::string& array);
 
  private:
+  /// A line of the index.
+  void take_in(const nlohmann::json& entry);
   std::vector<double> read(const std::string& segment, const std::string& dataset);
   Hdf5File& opened(const std::string& segment);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fuzz_seeds DIRECTORY: writes DIRECTORY/TARGET/NAME, sound inputs in the formats of this build.
+// fuzz_seeds DIRECTORY: writes DIRECTORY/TARGET/NAME, sound inputs in the formats of this build, but for the structure.
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -12,10 +12,11 @@
 #include "network/network_solver.hpp"
 #include "structure/joints/network_topology.hpp"
 #include "tests/coupler/seismicity/sample_sources.hpp"
+#include "tests/coupler/record/scripted_run.hpp"
+#include "tests/fuzz/folder.hpp"
 #include "tests/fuzz/judged.hpp"
 #include "tests/fuzz/raw_frames.hpp"
 #include "tests/fuzz/sample_network.hpp"
-#include "tests/fuzz/small_rock.hpp"
 
 using namespace fissura;
 
@@ -73,16 +74,6 @@ void write_network() {
   write_state("network_state", "grown", owner, solver.save());
 }
 
-void write_rock() {
-  const structure::StructureModel model = fuzz::small_rock_model();
-  const structure::Geometry geometry = structure::build_geometry(model);
-  const structure::StructureState state = structure::initial_state(model, geometry);
-  structure::StructureHistory history;
-  history.insertions.push_back(structure::first_insertion(geometry.mesh, state.joints, model.run_case));
-  const StateOwner owner = structure::structure_owner(model.run_case);
-  write_state("structure_state", "at_rest", owner, structure::save_snapshot(owner, history, geometry, state, {}));
-}
-
 void write_seismicity() {
   using namespace coupler;
   Extraction extraction(test::shale_controls());
@@ -95,6 +86,17 @@ void write_seismicity() {
   for (std::size_t i = 0; i < std::min<std::size_t>(events.size(), 3); ++i)
     table += csv_line(events[i], context);
   write("run_tables", "catalogue", "=== catalogue.csv\n" + table);
+}
+
+/// The run of the target, saved where a segment is open.
+void write_record() {
+  const fuzz::Folder folder;
+  coupler::RunRecord record(folder.path(), coupler::sample::reports_per_segment);
+  record.begin(coupler::sample::description());
+  coupler::sample::record_intervals(record, 1, 3);
+  write("record_state", "open", record.save());
+  coupler::sample::record_intervals(record, 4, 6);
+  write("record_state", "closed", record.save());
 }
 
 void write_manifest() {
@@ -118,8 +120,8 @@ int main(int argc, char** argv) {
   out = argv[1];
   write_messages();
   write_network();
-  write_rock();
   write_seismicity();
+  write_record();
   write_manifest();
   return 0;
 }

@@ -5,8 +5,10 @@
 
 #include "common/errors.hpp"
 #include "coupler/report/csv_columns.hpp"
+#include "coupler/report/field_reports.hpp"
 #include "coupler/report/report_data.hpp"
 #include "coupler/report/stress_maps.hpp"
+#include "coupler/seismicity/catalogue/raw_records.hpp"
 #include "tests/coupler/record/sample_run.hpp"
 #include "tests/coupler/report/small_run.hpp"
 
@@ -173,4 +175,15 @@ TEST_CASE("the change of stress far away is that beyond half the extent of the n
   const nlohmann::json far = relative_stress_map(reports, in_situ, domain, {1, 400})["far"];
   CHECK(far["distance"] == 1.0);
   CHECK(far["greatest_change"].get<double>() == Approx(0.25));
+}
+
+TEST_CASE("an index of segments that is damaged is named", "[coupler][report]") {
+  const sample::TemporaryDirectory folder;
+  std::filesystem::create_directory(folder.path() / "segments");
+  for (const char* line : {"{\"file\": \"00", "[]", "{}", "{\"file\": 3}",
+                           "{\"file\": \"000001.h5\", \"meshes\": [0], \"networks\": [0], \"reports\": [true, 2]}"}) {
+    std::ofstream(folder.path() / "segments" / "index.jsonl") << line << '\n';
+    CHECK_THROWS_AS(FieldReports(folder.path()), StorageError);
+    CHECK_THROWS_AS(for_each_source_group(folder.path(), [](double, const auto&) {}), Error);
+  }
 }
