@@ -19,7 +19,10 @@ const char* phase_of_last_note = "start";
 
 }  // namespace
 
-void set_progress_report(ProgressReport report) { installed_report = std::move(report); }
+void set_progress_report(ProgressReport report) {
+  installed_report = std::move(report);
+  next_report = {};
+}
 
 const char* last_phase() { return phase_of_last_note; }
 

@@ -8,7 +8,7 @@ namespace fissura {
 /// Sends `count` and `phase` of the solve loop to the coupler; installed by run_participant.
 using ProgressReport = std::function<void(const char* phase, unsigned long count)>;
 
-/// Makes note_progress (participant.hpp) call `report` at most ten times a second; an empty function stops it.
+/// Makes note_progress (participant.hpp) call `report` at its next note and then at most ten times a second; an empty function stops it.
 void set_progress_report(ProgressReport report);
 
 /// Names the phase that begins, without a report.

@@ -100,7 +100,7 @@ constexpr ParticipantRule participant_rules[] = {
     {network, {greeting}, {welcome}, does(Does::join, empty)},
     {both, {greeting}, {welcome_resuming}, does(Does::join, resuming)},
     {both, {greeting}, {reject}, does(Does::accept_no, ended)},
-    {both, {greeting}, commands | Set<Word>{bye, progress}, Fault::not_introduced},
+    {both, {greeting}, commands | Set<Word>{bye, Word::fail, progress}, Fault::not_introduced},
 
     {structure, {joining}, {insert}, Fault::at_work},
     {network, {joining}, {insert}, does(Does::keep, joining)},
@@ -133,7 +133,7 @@ constexpr ParticipantRule participant_rules[] = {
      Fault::introduced_twice},
     {both, waiting | Set<ParticipantState>{joining, working}, {bye}, Fault::unasked},
     {both,
-     waiting | Set<ParticipantState>{greeting, joining, working},
+     waiting | Set<ParticipantState>{joining, working},
      {Word::fail},
      does(Does::stop, ended)},
     {both, {joining}, {progress}, does(Does::hear, joining)},

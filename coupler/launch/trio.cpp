@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <cstring>
+#include <utility>
 
 #include "common/log.hpp"
 #include "coupler/launch/executable_check.hpp"
@@ -71,23 +72,27 @@ void Trio::start_process(Participant& each) {
 
 void Trio::send(Role role, Message command) {
   Participant& target = participant(role);
+  require_allowed(target, word_of(command));
   target.asked = name(command.type);
   target.interval = command.interval;
+  target.revision = command.revision;
   target.last_word = target.asked_at = Clock::now();
   target.answer.reset();
   say(target, std::move(command));
   show(target);
 }
 
+void Trio::require_allowed(const Participant& target, Word word) {
+  if (const auto* fault = std::get_if<ProtocolFault>(&move(target.role, target.view, word)))
+    throw Error(ExitCode::internal, fmt::format("the coupler would have said {} to the {}, but {} (view {}, fault {})",
+                                                name(word), name(target.role), sentence(*fault), name(target.view),
+                                                name(*fault)));
+}
+
 void Trio::say(Participant& target, Message message) {
   const Word word = word_of(message);
-  const CouplerMove& allowed = move(target.role, target.view, word);
-  if (const auto* fault = std::get_if<ProtocolFault>(&allowed))
-    throw Error(
-        ExitCode::internal,
-        fmt::format("the coupler would have said {} to the {}, but {} (view {}, fault {})", name(word),
-                    name(target.role), sentence(*fault), name(target.view), name(*fault)));
-  target.view = std::get<CouplerView>(allowed);
+  require_allowed(target, word);
+  target.view = std::get<CouplerView>(move(target.role, target.view, word));
   try {
     channel_.send(*target.peer, std::move(message));
   } catch (const ProtocolError& fault) {
@@ -184,10 +189,8 @@ bool Trio::handle(CouplerChannel::Event&& event) {
     for (Participant& each : participants_)
       if (each.peer == fault->peer)
         fail(ExitCode::protocol_violation, each, "sent nonsense: " + fault->reason);
-    if (fault->greeting)
-      refuse(fault->peer, ExitCode::mismatch, fault->reason, *fault->greeting);
-    else
-      log::warn("an unknown peer was ignored: " + fault->reason);
+    refuse(fault->peer, fault->greeting ? ExitCode::mismatch : ExitCode::protocol_violation, fault->reason,
+           fault->greeting.value_or(nlohmann::json::object()));
     return true;
   }
   if (auto* lost = std::get_if<CouplerChannel::PeerLost>(&event)) {
@@ -206,19 +209,14 @@ void Trio::hear(Participant& each, Message&& message) {
          fmt::format("sent {}, but {} (view {}, fault {})", name(word), sentence(*fault), name(each.view),
                      name(*fault)));
   const auto& step = std::get<CouplerStep>(rule);
-  const bool answers = step.action == CouplerAction::take || step.action == CouplerAction::release;
-  if (answers && message.interval != each.interval)
-    fail(ExitCode::protocol_violation, each,
-         fmt::format("sent {} of interval {}, but was asked for interval {}", name(word), message.interval,
-                     each.interval));
-  each.view = step.next;
+  const CouplerView asked_in = std::exchange(each.view, step.next);
   each.last_word = Clock::now();
   switch (step.action) {
     case CouplerAction::take:
-      each.answer = std::move(message);
+      take(each, asked_in, std::move(message));
       break;
     case CouplerAction::release:
-      each.answer = std::move(message);
+      take(each, asked_in, std::move(message));
       if (each.process) deaths_.remove(each.process->descriptor());
       say(each, Message(MessageType::bye));
       break;
@@ -232,6 +230,20 @@ void Trio::hear(Participant& each, Message&& message) {
       break;
   }
   show(each);
+}
+
+/// An answer that fits the question: the same interval, and the same topology where its arrays depend on it.
+void Trio::take(Participant& each, CouplerView asked_in, Message&& answer) {
+  if (answer.interval != each.interval)
+    fail(ExitCode::protocol_violation, each,
+         fmt::format("sent {} of interval {}, but was asked for interval {}", name(answer.type), answer.interval, each.interval));
+  const bool has_arrays = asked_in == CouplerView::inserting || asked_in == CouplerView::advancing ||
+                          asked_in == CouplerView::reporting || asked_in == CouplerView::reporting_proposed;
+  if (has_arrays && answer.revision != each.revision)
+    fail(ExitCode::protocol_violation, each,
+         fmt::format("sent {}, which is made for topology revision {}, the network has {}", name(answer.type),
+                     answer.revision, each.revision));
+  each.answer = std::move(answer);
 }
 
 void Trio::hear_progress(Participant& each, const Message& message) {
@@ -323,7 +335,7 @@ void Trio::refuse(PeerNumber peer, ExitCode code, const std::string& reason, con
   const auto pid = hello.find("pid");
   for (Participant& each : participants_) {
     if (each.view != CouplerView::absent) continue;
-    each.refusal = reason;
+    each.refusal.emplace(code, reason);
     if (each.process && pid != hello.end() && *pid == each.process->pid())
       fail(code, each, "was refused: " + reason);
   }

@@ -102,7 +102,7 @@ class Trio {
     ParticipantIdentity identity;
     std::optional<Message> answer;
     std::string asked = "HELLO";  ///< what it was asked last
-    std::uint64_t interval = 0;
+    std::uint64_t interval = 0, revision = 0;  ///< of that command
     std::string phase = "start";  ///< as of its last PROGRESS
     std::uint64_t count = 0;
     Clock::time_point asked_at{}, last_word{};
@@ -110,7 +110,7 @@ class Trio {
     ProgressLadder ladder{0};
     std::optional<ProcessActivity> activity_when_warned;
     Clock::time_point warned_at{};
-    std::string refusal;  ///< why somebody who claimed this role was refused
+    std::optional<Error> refusal;  ///< why somebody was refused before this one introduced itself
     double waited = 0;
   };
 
@@ -120,11 +120,13 @@ class Trio {
   }
 
   void start_process(Participant& each);
+  static void require_allowed(const Participant& target, Word word);
   void say(Participant& target, Message message);
 
   void handle_next_event(Seconds patience);
   bool handle(CouplerChannel::Event&& event);
   void hear(Participant& each, Message&& message);
+  void take(Participant& each, CouplerView asked_in, Message&& answer);
   void hear_progress(Participant& each, const Message& message);
   void hear_stop_request(const Participant& participant, const Message& progress);
   [[noreturn]] void hear_failure(Participant& each, const Message& message);
@@ -140,6 +142,7 @@ class Trio {
   void watch_silence(Participant& each);
   void climb_ladder(Participant& each, double silent_seconds);
   [[nodiscard]] std::string activity(const Participant& each) const;
+  static std::string refusal_in_words(const Participant& each);
   [[nodiscard]] bool dump_stack(const Participant& each) const;
   void wait_for_end(Participant& each);
   void keep_alive();

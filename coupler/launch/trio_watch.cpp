@@ -73,18 +73,12 @@ void Trio::process_ended(Participant& each) {
     const bool not_executed = end.exit_code == 126 || end.exit_code == 127;
     if (not_executed)
       code = ExitCode::precondition;
-    else if (!each.refusal.empty())
-      code = ExitCode::mismatch;
+    else if (each.refusal)
+      code = each.refusal->code();
     else if (explains_itself(end.exit_code))
       code = static_cast<ExitCode>(end.exit_code);
     sentence += " before it introduced itself";
-    if (!each.refusal.empty()) sentence += "; somebody was refused: " + each.refusal;
-  } else if (!end.signal && end.exit_code == static_cast<int>(ExitCode::participant_died)) {
-    code = ExitCode::participant_unresponsive;
-    sentence = "has ended because its connection to the coupler was cut";
-  } else if (!end.signal && end.exit_code == static_cast<int>(ExitCode::participant_unresponsive)) {
-    code = ExitCode::participant_unresponsive;
-    sentence = "has ended because nothing reached it on its connection to the coupler";
+    sentence += refusal_in_words(each);
   }
   fail(code, each, sentence);
 }
@@ -152,9 +146,8 @@ void Trio::watch_silence(Participant& each) {
   switch (each.view) {
     case CouplerView::absent:
       if (silent > join)
-        fail(each.refusal.empty() ? ExitCode::participant_unresponsive : ExitCode::mismatch, each,
-             fmt::format("did not introduce itself in {} s{}", join,
-                         each.refusal.empty() ? "" : "; somebody was refused: " + each.refusal));
+        fail(each.refusal ? each.refusal->code() : ExitCode::participant_unresponsive, each,
+             fmt::format("did not introduce itself in {} s{}", join, refusal_in_words(each)));
       break;
     case CouplerView::joining:
     case CouplerView::restoring:  // meshing comes first
@@ -208,6 +201,10 @@ std::string Trio::activity(const Participant& each) const {
   const std::optional<ProcessActivity> now = activity_of(each.process->pid());
   if (!now || !each.activity_when_warned) return "cannot be looked at";
   return describe(*now, *each.activity_when_warned, since(each.warned_at));
+}
+
+std::string Trio::refusal_in_words(const Participant& each) {
+  return each.refusal ? fmt::format("; somebody was refused: {}", each.refusal->what()) : "";
 }
 
 // Only a process of ours that has said that it knows the signal: others would end of it.
