@@ -16,6 +16,7 @@
 #include "coupler/cli/natural_fracture_files.hpp"
 #include "coupler/cli/run_worker.hpp"
 #include "coupler/faults/proxy.hpp"
+#include "coupler/launch/machine_check.hpp"
 #include "coupler/launch/supervisor.hpp"
 #include "coupler/record/run_directory.hpp"
 #include "coupler/verdict/verdict.hpp"
@@ -115,6 +116,7 @@ std::vector<std::string> probe_names(const Case& run_case) {
 }
 
 PreparedRun prepare_run(const RunOptions& options) {
+  require_descriptors();
   PreparedRun run;
   read_faults(options.fault, options.fault_plan, run);
   run.reading = read_case(options.source);
@@ -148,6 +150,7 @@ int run_command(const RunOptions& options) {
 }
 
 int resume_command(const ResumeOptions& options) {
+  require_descriptors();
   PreparedRun run = read_resume_file(options.directory);
   const RunDirectory directory(run.directory, RunDirectory::Use::resumption);
   run.directory = directory.path();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/errors.hpp"
+#include "common/faults/fault_point.hpp"
 #include "common/fracture_network/insertion_json.hpp"
 
 namespace fissura::coupler {
@@ -88,6 +89,7 @@ void Checkpointing::keep(const SchemeState& state) {
 
 void Checkpointing::give_back(const Checkpoint& checkpoint, const SchemeState& state) {
   status_.show(state.clock.index(), "resume");
+  fault_point(FaultPhase::resume, state.clock.index());
   for (const Role role : both) {
     Message message = command(MessageType::restore, state);
     message.body["insertions"] = insertions_to_json(state.insertions);

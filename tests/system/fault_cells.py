@@ -75,7 +75,7 @@ class Row:
     who: str = ""        # instead of the role
 
 
-SILENT = "(made no progress for [0-9.]+ s|did not introduce itself in|stopped by a signal|did not end|does not end|has not ended)"
+SILENT = "(made no progress for [0-9.]+ s|did not introduce itself in|stopped by a signal|heard nothing|did not end|does not end|has not ended)"
 
 PROCESS_ROWS = (
     Row("killed", {"do": "kill"}, 20, r"was killed by signal 9"),

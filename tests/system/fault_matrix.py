@@ -30,6 +30,9 @@ from fault_run import COUPLER, LAST_LINE, Home, Watched, clean_run, differences,
 PATIENCE = 25.0   # s until a run that does not end counts as hanging
 GONE = 5.0        # s from the first fault until no process of the run may be left
 CHECKPOINTS = {"checkpoint.intervals": 5}
+# Whoever is refused before there is a run to speak of is told so in one line without interval and phase.
+BEFORE_THE_RUN = (2, 10, 11, 12)
+BEFORE = re.compile(r"coupler: [A-Z-]+: (?P<sentence>.*)")
 KINDS = ("hang", "orphan", "socket", "code", "sentence", "report", "late", "gone", "bytes", "resume", "not struck", "error")
 
 
@@ -85,6 +88,11 @@ def judge_end(played, run, home):
     if cell.end.code in (0, 137):
         return
     match = LAST_LINE.match(played.line)
+    if not match and played.code in BEFORE_THE_RUN and (said := BEFORE.search(run.errors)):
+        played.line = said[0]
+        if not re.search(cell.end.says, said["sentence"]):
+            played.wrong("sentence", f"does not say {cell.end.says!r}: {played.line}")
+        return
     if not match:
         played.wrong("sentence", f"no last line: {run.errors[-300:]}")
         return
