@@ -38,12 +38,12 @@ class SocketPlace {
  public:
   explicit SocketPlace(const std::filesystem::path& run_directory) {
     constexpr std::size_t longest_address = 100;
-    path_ = std::filesystem::absolute(run_directory / "coupler.ipc");
+    path_ = std::filesystem::absolute(run_directory / socket_name);
     if (path_.string().size() <= longest_address) return;
     std::string pattern = (std::filesystem::temp_directory_path() / "fissura-XXXXXX").string();
     if (::mkdtemp(pattern.data()) == nullptr) throw Error(ExitCode::precondition, "cannot create " + pattern);
     temporary_ = pattern;
-    path_ = temporary_ / "coupler.ipc";
+    path_ = temporary_ / socket_name;
   }
   ~SocketPlace() {
     std::error_code ignored;

@@ -89,7 +89,8 @@ std::vector<const MessageFault*> Relay::due(Direction direction, const Frames& m
 std::string Relay::strike(const MessageFault& fault, Direction direction, std::vector<Frames>& outgoing,
                           double now) {
   Line& here = line(direction);
-  const std::string done = name_of(fault.action, message_actions);
+  std::string done = name_of(fault.action, message_actions);
+  if (fault.action == MessageAction::restamp) done += " " + name_of(fault.stamp, stamp_fields);
   if (outgoing.empty()) return done + ": nothing left";
   switch (fault.action) {
     case MessageAction::drop:
