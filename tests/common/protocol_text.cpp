@@ -41,7 +41,8 @@ class RowWriter {
   }
   static std::string text(const Cells& cells) {
     std::string text;
-    for (const auto& [what, words] : cells) text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", words, what);
+    for (const auto& [what, words] : cells)
+      text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", words, what);
     return text.empty() ? "-" : text;
   }
 
@@ -69,8 +70,10 @@ Row participant_row(Role role, ParticipantState state) {
   for (std::size_t word = 0; word < word_count; ++word) {
     const ParticipantReaction& entry = reaction(role, state, static_cast<Word>(word));
     if (is_wrong_direction(entry)) continue;
-    if (const auto* fault = std::get_if<ProtocolFault>(&entry)) writer.fault(static_cast<Word>(word), *fault);
-    else writer.take(static_cast<Word>(word), step_text(std::get<ParticipantStep>(entry), state));
+    if (const auto* fault = std::get_if<ProtocolFault>(&entry))
+      writer.fault(static_cast<Word>(word), *fault);
+    else
+      writer.take(static_cast<Word>(word), step_text(std::get<ParticipantStep>(entry), state));
   }
   return writer.row();
 }
@@ -130,17 +133,25 @@ std::string table(const char* head, const char* taken, Row (*row)(Role, State)) 
 
 std::string protocol_text() {
   std::string text =
-      "**The participant hears.** What it does, what it answers, and its state then (the same if none is named). Whatever is work may also end in FAIL and `failed`;\n"
+      "**The participant hears.** What it does, what it answers, and its state then (the same if none is "
+      "named). Whatever is work may also end in FAIL and `failed`;\n"
       "while it is done the state is `joining` or `working`.\n\n";
-  text += table<ParticipantState, participant_state_count>("state", "message: *action*, answer → next state", participant_row);
+  text += table<ParticipantState, participant_state_count>("state", "message: *action*, answer → next state",
+                                                           participant_row);
   text +=
-      "\n**The coupler hears** from a participant it sees as ...; a stranger is seen as what the role it claims is, and is refused where that is a fault.\n\n";
+      "\n**The coupler hears** from a participant it sees as ...; a stranger is seen as what the role it "
+      "claims is, and is refused where that is a fault.\n\n";
   text += table<CouplerView, coupler_view_count>("view", "message: *action* → next view", hearing_row);
-  text += "\n**The coupler says** to a participant it sees as ...; a fault here would be its own defect, and ends the run before anything is sent.\n\n";
+  text +=
+      "\n**The coupler says** to a participant it sees as ...; a fault here would be its own defect, and "
+      "ends the run before anything is sent.\n\n";
   text += table<CouplerView, coupler_view_count>("view", "message → next view", saying_row);
-  text += "\nWhat only the other side says is `wrong_direction` in every state. The faults:\n\n| fault | it came, or would be said, but |\n|---|---|\n";
+  text +=
+      "\nWhat only the other side says is `wrong_direction` in every state. The faults:\n\n| fault | it "
+      "came, or would be said, but |\n|---|---|\n";
   for (std::size_t fault = 0; fault < fault_count; ++fault)
-    text += fmt::format("| `{}` | {} |\n", name(static_cast<ProtocolFault>(fault)), sentence(static_cast<ProtocolFault>(fault)));
+    text += fmt::format("| `{}` | {} |\n", name(static_cast<ProtocolFault>(fault)),
+                        sentence(static_cast<ProtocolFault>(fault)));
   return text;
 }
 

@@ -5,7 +5,8 @@
 
 namespace fissura::test {
 
-/// The tables of protocol_table.hpp as they stand in docs/protocol.md, between the lines `protocol_text_begin` and `protocol_text_end`.
+/// The tables of protocol_table.hpp as they stand in docs/protocol.md, between the lines
+/// `protocol_text_begin` and `protocol_text_end`.
 std::string protocol_text();
 
 inline constexpr const char* protocol_text_begin = "<!-- printed by print_protocol_table: begin -->\n";

@@ -15,7 +15,8 @@ using namespace fissura::test;
 
 namespace {
 
-/// Holds its session in the state it is asked for: joins or advances only when it is let go, and proposes if it is to.
+/// Holds its session in the state it is asked for: joins or advances only when it is let go, and proposes if
+/// it is to.
 class HeldSolver : public Solver {
  public:
   void join(const Assignment&) override { wait(held_in_join); }
@@ -57,7 +58,8 @@ class Walker {
  public:
   Walker(Role role, ParticipantState state) : participant_(role, prepared(solver_, state)) {
     if (state == ParticipantState::greeting) return;
-    participant_.send(message_of(state == ParticipantState::resuming ? Word::welcome_resuming : Word::welcome));
+    participant_.send(
+        message_of(state == ParticipantState::resuming ? Word::welcome_resuming : Word::welcome));
     if (state == ParticipantState::joining) {
       wait_until_held();
       return;
@@ -126,9 +128,15 @@ void check_state(Walker& walker, ParticipantState expected) {
 void check_step(Walker& walker, const ParticipantStep& step) {
   const ParticipantOutcome& outcome = step.outcomes[0];
   switch (step.action) {
-    case ParticipantAction::accept_no: CHECK(walker.end() == static_cast<int>(ExitCode::mismatch)); return;
-    case ParticipantAction::stop: CHECK(walker.end() == static_cast<int>(ExitCode::participant_died)); return;
-    case ParticipantAction::leave: CHECK_NOTHROW(walker.end()); return;
+    case ParticipantAction::accept_no:
+      CHECK(walker.end() == static_cast<int>(ExitCode::mismatch));
+      return;
+    case ParticipantAction::stop:
+      CHECK(walker.end() == static_cast<int>(ExitCode::participant_died));
+      return;
+    case ParticipantAction::leave:
+      CHECK_NOTHROW(walker.end());
+      return;
     case ParticipantAction::ignore:
       walker.say(Word::bye, 0);
       CHECK(walker.end() == static_cast<int>(ExitCode::protocol_violation));
@@ -141,7 +149,8 @@ void check_step(Walker& walker, const ParticipantStep& step) {
     case ParticipantAction::save:
     case ParticipantAction::restore:
     case ParticipantAction::finish:
-    case ParticipantAction::hear: break;
+    case ParticipantAction::hear:
+      break;
   }
   if (outcome.reply) CHECK(word_of(walker.receive()) == *outcome.reply);
   check_state(walker, outcome.next);
@@ -156,11 +165,13 @@ void walk(Role role, ParticipantState state) {
     const ParticipantReaction& rule = reaction(role, state, word);
     if (const auto* fault = std::get_if<ProtocolFault>(&rule)) {
       if (state == ParticipantState::greeting) {
-        // It does not know its run yet, so that its channel refuses the message, and nobody would take its FAIL.
+        // It does not know its run yet, so that its channel refuses the message, and nobody would take its
+        // FAIL.
         walker.say(Word::bye, 0);
         CHECK(walker.end() == static_cast<int>(ExitCode::protocol_violation));
       } else if (state != ParticipantState::failed) {
-        CHECK_THAT(reason_of(walker.receive()), Catch::Contains(std::string("state ") + name(state) + ", fault " + name(*fault)));
+        CHECK_THAT(reason_of(walker.receive()),
+                   Catch::Contains(std::string("state ") + name(state) + ", fault " + name(*fault)));
       }
     } else {
       check_step(walker, std::get<ParticipantStep>(rule));
@@ -175,11 +186,13 @@ constexpr ParticipantState states_of_both[] = {ParticipantState::greeting, Parti
 
 }  // namespace
 
-TEST_CASE("a structure does with every message in every state what the table says", "[common][exchange][table]") {
+TEST_CASE("a structure does with every message in every state what the table says",
+          "[common][exchange][table]") {
   for (const ParticipantState state : states_of_both) walk(Role::structure, state);
   walk(Role::structure, ParticipantState::proposed);
 }
 
-TEST_CASE("a network does with every message in every state what the table says", "[common][exchange][table]") {
+TEST_CASE("a network does with every message in every state what the table says",
+          "[common][exchange][table]") {
   for (const ParticipantState state : states_of_both) walk(Role::network, state);
 }

@@ -9,27 +9,46 @@ namespace {
 
 MessageType type_of(Word word) {
   switch (word) {
-    case Word::hello: return MessageType::hello;
+    case Word::hello:
+      return MessageType::hello;
     case Word::welcome:
-    case Word::welcome_resuming: return MessageType::welcome;
-    case Word::reject: return MessageType::reject;
-    case Word::topology: return MessageType::topology;
-    case Word::insert: return MessageType::insert;
-    case Word::acknowledge: return MessageType::acknowledge;
-    case Word::advance: return MessageType::advance;
-    case Word::pressure: return MessageType::pressure;
+    case Word::welcome_resuming:
+      return MessageType::welcome;
+    case Word::reject:
+      return MessageType::reject;
+    case Word::topology:
+      return MessageType::topology;
+    case Word::insert:
+      return MessageType::insert;
+    case Word::acknowledge:
+      return MessageType::acknowledge;
+    case Word::advance:
+      return MessageType::advance;
+    case Word::pressure:
+      return MessageType::pressure;
     case Word::response:
-    case Word::proposal: return MessageType::response;
-    case Word::report: return MessageType::report;
-    case Word::fields: return MessageType::fields;
-    case Word::save: return MessageType::save;
-    case Word::state: return MessageType::state;
-    case Word::restore: return MessageType::restore;
-    case Word::restored: return MessageType::restored;
-    case Word::finish: return MessageType::finish;
-    case Word::bye: return MessageType::bye;
-    case Word::fail: return MessageType::fail;
-    case Word::progress: return MessageType::progress;
+    case Word::proposal:
+      return MessageType::response;
+    case Word::report:
+      return MessageType::report;
+    case Word::fields:
+      return MessageType::fields;
+    case Word::save:
+      return MessageType::save;
+    case Word::state:
+      return MessageType::state;
+    case Word::restore:
+      return MessageType::restore;
+    case Word::restored:
+      return MessageType::restored;
+    case Word::finish:
+      return MessageType::finish;
+    case Word::bye:
+      return MessageType::bye;
+    case Word::fail:
+      return MessageType::fail;
+    case Word::progress:
+      return MessageType::progress;
   }
   return MessageType::fail;
 }
