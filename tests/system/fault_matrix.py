@@ -23,6 +23,7 @@ import signal
 import sys
 import time
 
+import fault_checker
 import fault_scripts
 from fault_cells import SIGNALS, Cell, all_cells, short_cells
 from fault_run import COUPLER, LAST_LINE, Home, Watched, clean_run, differences, has_command, has_program, results, resume, run_command
@@ -33,7 +34,7 @@ CHECKPOINTS = {"checkpoint.intervals": 5}
 # Whoever is refused before there is a run to speak of is told so in one line without interval and phase.
 BEFORE_THE_RUN = (2, 10, 11, 12)
 BEFORE = re.compile(r"coupler: [A-Z-]+: (?P<sentence>.*)")
-KINDS = ("hang", "orphan", "socket", "code", "sentence", "report", "late", "gone", "bytes", "resume", "not struck", "error")
+KINDS = ("hang", "orphan", "socket", "code", "sentence", "report", "late", "gone", "bytes", "resume", "checker", "error")
 
 
 @dataclasses.dataclass
@@ -122,7 +123,7 @@ def judge_times(played, run, fault_at):
         played.wrong("orphan", ", ".join(f"{role} {pid}" for pid, role in left.items()))
     if begin is None or played.cell.end.code == 0:
         return
-    played.detected, played.gone = said - begin, (max(said, run.ended_at) if now - run.ended_at < 0.2 else now) - begin
+    played.detected, played.gone = max(0.0, said - begin), (max(said, run.ended_at) if now - run.ended_at < 0.2 else now) - begin
     if played.detected > played.cell.within:
         played.wrong("late", f"{played.detected:.2f} s after the fault, {played.cell.within} s allowed")
     if played.gone > max(GONE, played.cell.within):
@@ -144,6 +145,9 @@ def play_run(cell, clean, home, played):
             wrong = differences(results(home.run), clean.files)
             if wrong:
                 played.wrong("bytes", "other bytes in " + ", ".join(wrong))
+        if played.code_fits() and played.code != 137:
+            for problem in fault_checker.check(home.run, clean.directory, played.code):
+                played.wrong("checker", problem)
         if cell.end.code != 137 and (sockets := home.sockets()):
             played.wrong("socket", ", ".join(sockets))
     finally:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One program of the trio with a fault in it, watched from outside: who dies or stops when, what it says last, what it leaves behind."""
+import atexit
 import dataclasses
 import functools
 import hashlib
@@ -231,22 +232,25 @@ class Clean:
     intervals: int
     insertions: list  # coupling intervals after which the topology changed
     seconds: float
+    directory: pathlib.Path  # of that run
 
 
 def clean_run(**values):
-    with Home() as home:
-        start = time.monotonic()
-        run = Watched(run_command(home.run, **values), home)
-        code = run.finish(120)
-        run.clear()
-        if code != 0:
-            raise SystemExit(f"the undisturbed run ended with {code}:\n{run.errors}")
-        seconds = time.monotonic() - start
-        rows = [line.split(",") for line in (home.run / "history.csv").read_text().splitlines()]
-        revision = rows[0].index("revision")
-        revisions = [int(row[revision]) for row in rows[1:]]
-        insertions = [i + 1 for i, (a, b) in enumerate(zip(revisions, revisions[1:])) if b > a]
-        return Clean(results(home.run), len(rows) - 1, insertions, seconds)
+    """Its directory stays until the program ends."""
+    home = Home()
+    atexit.register(home.__exit__)
+    start = time.monotonic()
+    run = Watched(run_command(home.run, **values), home)
+    code = run.finish(120)
+    run.clear()
+    if code != 0:
+        raise SystemExit(f"the undisturbed run ended with {code}:\n{run.errors}")
+    seconds = time.monotonic() - start
+    rows = [line.split(",") for line in (home.run / "history.csv").read_text().splitlines()]
+    revision = rows[0].index("revision")
+    revisions = [int(row[revision]) for row in rows[1:]]
+    insertions = [i + 1 for i, (a, b) in enumerate(zip(revisions, revisions[1:])) if b > a]
+    return Clean(results(home.run), len(rows) - 1, insertions, seconds, home.run)
 
 
 def resume(home, clean, environment=None, patience=60):
