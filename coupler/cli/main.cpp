@@ -13,6 +13,7 @@
 #include "coupler/cli/seismicity_command.hpp"
 #include "coupler/cli/status_command.hpp"
 #include "coupler/cli/stop_command.hpp"
+#include "coupler/cli/verify_command.hpp"
 
 namespace {
 
@@ -121,6 +122,9 @@ int main(int argc, char** argv) {
   stop->add_flag("--now", now, "at once, without a checkpoint");
   stop->add_option("--wait", patience, "seconds to wait for the end")->capture_default_str()->check(CLI::Range(0.0, 1e6));
 
+  CLI::App* verify = program.add_subcommand("verify", "compares every file of a run with what was written");
+  verify->add_option("RUN", run_directory, "run directory; the run may be going on")->required();
+
   try {
     program.parse(argc, argv);
     if (short_form) options.source.variants.emplace_back("short");
@@ -132,6 +136,7 @@ int main(int argc, char** argv) {
     if (stop->parsed())
       return fissura::coupler::stop_command(
           run_directory, now ? StopTime::at_once : StopTime::next_coupling_time, patience);
+    if (verify->parsed()) return fissura::coupler::verify_command(run_directory);
     if (seismicity->parsed()) return fissura::coupler::seismicity_command(seismicity_options);
     return fissura::coupler::check_command(options.source, picture);
   } catch (const CLI::ParseError& fault) {

@@ -271,6 +271,23 @@ void Hdf5File::write_attribute(const std::string& object, const std::string& att
   handle_->write_text(id.id(), attribute, text);
 }
 
+namespace {
+
+herr_t list_dataset(hid_t, const char* name, const H5O_info_t* info, void* names) {
+  if (info->type == H5O_TYPE_DATASET)
+    static_cast<std::vector<std::string>*>(names)->push_back(std::string("/") + name);
+  return 0;
+}
+
+}  // namespace
+
+std::vector<std::string> Hdf5File::datasets() const {
+  std::vector<std::string> names;
+  // A damaged group ends the visit; the names so far are still worth having.
+  (void)H5Ovisit2(handle_->file.id(), H5_INDEX_NAME, H5_ITER_INC, list_dataset, &names, H5O_INFO_BASIC);
+  return names;
+}
+
 bool Hdf5File::has(const std::string& dataset) const {
   // The library takes a missing group on the way for an error.
   for (std::size_t end = dataset.find('/', 1);; end = dataset.find('/', end + 1)) {

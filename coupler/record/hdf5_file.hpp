@@ -36,6 +36,9 @@ class Hdf5File {
   void write_attribute(const std::string& object, const std::string& attribute, std::uint64_t value);
   void write_attribute(const std::string& object, const std::string& attribute, const std::string& text);
 
+  /// Names of all datasets that can be reached, in the order of their names. What is wrong with the rest is
+  /// found out by reading it.
+  [[nodiscard]] std::vector<std::string> datasets() const;
   /// Whether there is such a dataset.
   [[nodiscard]] bool has(const std::string& dataset) const;
   /// The dataset as written; Array::name is `dataset`.

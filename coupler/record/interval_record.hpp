@@ -22,6 +22,10 @@ struct Ledger {
   double relative_residual = 0;
 };
 
+/// Greatest relative residual of a ledger that counts as balanced: the content is updated from the fluxes
+/// themselves, so that only rounding may be missing.
+constexpr double largest_relative_residual = 1e-10;
+
 /// What happened on the natural fractures, all of them together; zero without any.
 struct NaturalFractureFigures {
   double greatest_slip = 0;   ///< [m]

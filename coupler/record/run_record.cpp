@@ -137,9 +137,13 @@ std::vector<std::byte> RunRecord::save() {
   return archive.take();
 }
 
-void RunRecord::check(const fs::path& directory, const std::vector<std::byte>& bytes) {
+TableMarks RunRecord::marks(const std::vector<std::byte>& bytes) {
   ByteReader archive(bytes);
-  check_marks(directory, read_marks(archive));
+  return read_marks(archive);
+}
+
+void RunRecord::check(const fs::path& directory, const std::vector<std::byte>& bytes) {
+  check_marks(directory, marks(bytes));
 }
 
 void RunRecord::resume(const RunDescription& description, const std::vector<std::byte>& bytes) {

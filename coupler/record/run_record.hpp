@@ -49,6 +49,9 @@ class RunRecord {
   /// tables but no segment.
   static void check(const std::filesystem::path& directory, const std::vector<std::byte>& bytes);
 
+  /// The marks in `bytes` of save(). Throws Error(checkpoint_unusable).
+  static TableMarks marks(const std::vector<std::byte>& bytes);
+
   /// In place of begin(): takes the record back to where save() found it, and goes on from there. Tables are
   /// cut off, the index forgets later segments, which are superseded, the series are read from the tables
   /// again; the log is gone on with. Whenever this is interrupted it can be done again. `description` as for

@@ -87,9 +87,12 @@ std::vector<std::byte> SeismicMonitor::save() {
   return bytes_of(saved);
 }
 
+std::optional<FileMark> SeismicMonitor::mark(const std::vector<std::byte>& bytes) {
+  return saved_monitor(bytes).catalogue;
+}
+
 void SeismicMonitor::check(const std::filesystem::path& folder, const std::vector<std::byte>& bytes) {
-  const SavedMonitor saved = saved_monitor(bytes);
-  if (saved.catalogue) check_mark(Catalogue::growing_file(folder), *saved.catalogue);
+  if (const auto catalogue = mark(bytes)) check_mark(Catalogue::growing_file(folder), *catalogue);
 }
 
 void SeismicMonitor::resume(const std::filesystem::path& folder, const std::string& run_id,

@@ -35,6 +35,10 @@ class SeismicMonitor {
   /// the file, if the catalogue is shorter than it was or is another up to there. Changes nothing.
   static void check(const std::filesystem::path& folder, const std::vector<std::byte>& bytes);
 
+  /// How far the catalogue had come at `bytes` of save(); nothing of a run without one. Throws
+  /// Error(checkpoint_unusable).
+  static std::optional<FileMark> mark(const std::vector<std::byte>& bytes);
+
   /// In place of begin(): goes on from where save() found it. Throws as check(), before anything is changed,
   /// and StorageError.
   void resume(const std::filesystem::path& folder, const std::string& run_id, const std::string& started,

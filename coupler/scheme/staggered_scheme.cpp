@@ -17,9 +17,6 @@ namespace fissura::coupler {
 
 namespace {
 
-// The content is updated from the fluxes themselves, so that only rounding may be missing.
-constexpr double largest_relative_residual = 1e-10;
-
 std::vector<double> pump_events(const Injection& injection) {
   std::vector<double> events;
   for (const Stage& stage : injection.stages) {

@@ -78,6 +78,8 @@ void record_interval(RunRecord& record, std::uint64_t number) {
   record.sources(time, sources_of(number));
   IntervalRecord figures = interval(number, time);
   figures.inlet_aperture = std::sin(static_cast<double>(number)) / 3;
+  figures.ledger = {1e-3 * time, 0, 0, 9e-4 * time, 1e-4 * time, 0, 0, 0};
+  figures.ledger.residual = figures.ledger.injected - figures.ledger.in_fractures - figures.ledger.leaked;
   record.interval(figures, {probe_of(number), probe_of(number + 1)});
   if (number % 2 == 0) {
     Message fields = structure_fields(time, growths(number), growths(number));
