@@ -2,6 +2,7 @@
 #include "coupler/seismicity/extraction.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "common/byte_archive.hpp"
@@ -118,6 +119,7 @@ class Extraction::State {
     reader.get(waiting);
     reader.get(clustered);
     reader.end();
+    require_possible(open, waiting, clustered);
     chains_ = SourceChains(rules_);
     chains_.put_back(open);
     waiting_ = {};
@@ -128,6 +130,17 @@ class Extraction::State {
   }
 
  private:
+  void require_possible(const std::vector<OpenSource>& open, const std::vector<Source>& waiting,
+                        const std::vector<Source>& clustered) const {
+    const auto complete = [](const Source& source) { return is_possible(source, SourceStage::complete); };
+    if (std::isnan(called_) ||
+        !std::all_of(open.begin(), open.end(), [](const auto& source) { return source.is_possible(); }) ||
+        !std::all_of(waiting.begin(), waiting.end(), complete) ||
+        !std::all_of(clustered.begin(), clustered.end(), complete))
+      throw Error(ExitCode::checkpoint_unusable,
+                  "the saved extraction of events holds sources that cannot be");
+  }
+
   void take(const SourceRecord& record) {
     ++accounts_.records;
     accounts_.raw.add(record.moment);

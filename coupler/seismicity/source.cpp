@@ -11,6 +11,9 @@ namespace fissura::coupler {
 
 namespace {
 
+// What no mesh and no model has [m].
+constexpr double smallest_length = 1e-9, greatest_length = 1e9;
+
 // Of a shear wave. Fewer part the softening of a joint, which the scaled mass lets swing, into bursts.
 constexpr double passages_of_rest = 100;
 
@@ -66,6 +69,37 @@ double SourceRules::rest_time(double element_size, double mass_scale) const {
 
 double SourceRules::telling_time(double element_size, double mass_scale) const {
   return passages_of_rest * 1.5 * element_size * std::sqrt(mass_scale) / shear_wave_speed;
+}
+
+bool is_possible(const Source& source, SourceStage stage) {
+  const auto finite = [](const auto& numbers) {
+    return std::all_of(std::begin(numbers), std::end(numbers),
+                       [](double number) { return std::isfinite(number); });
+  };
+  const auto is_size = [](double length) { return length >= smallest_length && length <= greatest_length; };
+  const double numbers[] = {
+      source.scalar_sum,    source.begin,        source.end,          source.slip,
+      source.opening,       source.area,         source.length,       source.shear_before,
+      source.shear_after,   source.pressure_sum, source.peak_rate,    source.time,
+      source.centroid_time, source.reach,        source.cluster_time, source.cluster_radius};
+  const bool in_place = std::all_of(source.position.begin(), source.position.end(),
+                                    [](double place) { return std::abs(place) <= greatest_length; });
+  const bool words = source.source_class <= SourceClass::shear && source.bulk <= 1 && source.contact <= 1 &&
+                     (source.fracture <= SourceFracture::grown || source.fracture == SourceFracture::none);
+  const bool times =
+      source.begin <= source.end && (stage == SourceStage::going_on || source.reach >= source.time);
+  return finite(numbers) && finite(source.moment) && finite(source.pseudo_moment) && finite(source.plane) &&
+         in_place && words && times && source.records > 0 && is_size(source.smallest_size) &&
+         is_size(source.greatest_size) && source.smallest_size <= source.greatest_size &&
+         source.mass_scale >= 1 && std::isfinite(source.mass_scale) &&
+         (stage == SourceStage::going_on || is_size(source.cluster_radius));
+}
+
+bool OpenSource::is_possible() const {
+  return coupler::is_possible(source_, SourceStage::going_on) && first_end_ >= source_.begin &&
+         first_end_ <= source_.end && goes_on_until_ >= source_.end && listens_until_ >= goes_on_until_ &&
+         std::isfinite(listens_until_) && std::isfinite(scalar_sum_.value()) &&
+         std::isfinite(weighted_end_.value()) && std::isfinite(weighted_centroid_.value());
 }
 
 OpenSource::OpenSource(const SourceRecord& first, const SourceRules& rules) {

@@ -63,6 +63,12 @@ struct Source {
   [[nodiscard]] double shear_drop() const { return std::abs(shear_before) - std::abs(shear_after); }
 };
 
+/// Whether a saved source can be one: finite numbers, times in order, sizes that lengths of a mesh can have,
+/// words that there are. `cluster_radius` and what follows from it are looked at only if the source is
+/// complete.
+enum class SourceStage { going_on, complete };
+bool is_possible(const Source& source, SourceStage stage);
+
 /// Order in which sources are taken: by time, then entity, class and begin; no two are equal.
 bool comes_before(const Source& a, const Source& b);
 
@@ -116,6 +122,9 @@ class OpenSource {
   [[nodiscard]] Entity entity() const { return source_.entity(); }
   [[nodiscard]] SourceClass source_class() const { return source_.source_class; }
   [[nodiscard]] PlaneTensor moment() const { return moment_.value(); }
+
+  /// Whether it can have been saved by an OpenSource; all others must not be used.
+  [[nodiscard]] bool is_possible() const;
 
   /// The source as it is now.
   [[nodiscard]] Source closed(const SourceRules& rules) const;

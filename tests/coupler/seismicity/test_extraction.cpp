@@ -202,3 +202,24 @@ TEST_CASE("a hundred thousand records in one call or in many give the same event
   append(events, extraction.finish());
   CHECK(bytes_of(events) == bytes_of(together));
 }
+
+TEST_CASE("a saved extraction with any byte changed is refused, or goes on without harm", "[seismicity]") {
+  Extraction sound(shale_controls());
+  (void)sound.advance(0.03, random_records(1, 3));
+  const std::vector<std::byte> saved = sound.save();
+  std::size_t refused = 0;
+  for (std::size_t i = 0; i < saved.size(); i += 3) {
+    std::vector<std::byte> damaged = saved;
+    damaged[i] ^= std::byte{0xc0};
+    Extraction extraction(shale_controls());
+    try {
+      extraction.restore(damaged);
+      (void)extraction.advance(1, {slip_record(1, 0.99, {0, 0})});
+      (void)extraction.finish();
+    } catch (const Error& fault) {
+      CHECK(fault.code() == ExitCode::checkpoint_unusable);
+      ++refused;
+    }
+  }
+  CHECK(refused > 0);
+}
