@@ -69,6 +69,8 @@ void Trio::process_ended(Participant& each) {
   } else if (const char* finding = end.signal ? nullptr : finding_about_the_coupler(end.exit_code)) {
     code = ExitCode::participant_unresponsive;
     sentence = finding;
+  } else if (!end.signal && end.exit_code == 0 && each.view == CouplerView::finishing) {
+    sentence = "has ended, but its BYE did not come: its connection was closed before";
   } else if (!end.signal && each.view == CouplerView::absent) {
     const bool not_executed = end.exit_code == 126 || end.exit_code == 127;
     if (not_executed)
