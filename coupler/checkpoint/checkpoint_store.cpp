@@ -48,7 +48,7 @@ std::optional<std::uint64_t> interval_of(const std::string& name) {
 
 void create_folder(const fs::path& folder) {
   std::error_code failure;
-  fs::create_directories(folder, failure);
+  fs::create_directory(folder, failure);
   if (failure) fail("create", folder, failure.message());
 }
 

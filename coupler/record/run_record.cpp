@@ -70,6 +70,14 @@ void remove_earlier_life(const fs::path& directory) {
     remove_file(directory / name);
 }
 
+/// A file that somebody has removed still takes every line.
+void require_size(const fs::path& file, std::uintmax_t expected) {
+  std::error_code failure;
+  const std::uintmax_t size = fs::file_size(file, failure);
+  if (failure || size != expected)
+    throw StorageError(fmt::format("{} was removed or replaced while the run wrote it", file.string()));
+}
+
 TableMarks read_marks(ByteReader& archive) {
   std::string format;
   archive.get(format);
@@ -119,6 +127,7 @@ void RunRecord::save_parts(TableMarks& marks, ByteWriter& archive) {
   meeting_ledger_.save(marks, archive);
   segments_.save(marks, archive);
   sync_to_disk(directory());
+  for (const auto& [name, mark] : marks) require_size(directory() / name, mark.bytes);
 }
 
 std::vector<std::byte> RunRecord::save() {

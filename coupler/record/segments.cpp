@@ -132,12 +132,15 @@ bool Segments::close() {
 
 void Segments::write_segment() {
   std::error_code failure;
-  std::filesystem::create_directories(folder(), failure);
+  std::filesystem::create_directory(folder(), failure);
   if (failure) throw StorageError(fmt::format("cannot create {}: {}", folder().string(), failure.message()));
   if (!index_) {
     index_.emplace(folder() / index_name);
     sync_to_disk(run_directory_);
   }
+  if (!std::filesystem::exists(folder() / index_name, failure))
+    throw StorageError(
+        fmt::format("{} was removed while the run wrote it", (folder() / index_name).string()));
   const std::filesystem::path file = folder() / segment_name(segment_), part = file.string() + ".part";
   Hdf5File output = Hdf5File::create(part);
   journal_.write_to(output);

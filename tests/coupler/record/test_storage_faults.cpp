@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -15,6 +17,7 @@
 #include "coupler/record/hdf5_file.hpp"
 #include "coupler/record/run_record.hpp"
 #include "tests/coupler/record/sample_run.hpp"
+#include "tests/coupler/record/scripted_run.hpp"
 
 using namespace fissura;
 using namespace fissura::coupler;
@@ -154,4 +157,45 @@ TEST_CASE("after a storage failure the run can still write its summary once ther
   CHECK(code == 0);
   CHECK(nlohmann::json::parse(sample::content(folder.path() / "summary.json"))["verdict"] == "fail");
   CHECK_FALSE(std::filesystem::exists(folder.path() / "segments" / "000001.h5.part"));
+}
+
+TEST_CASE("a run directory that is deleted during the run is a storage error, and is not made again",
+          "[coupler][record][faults]") {
+  const sample::TemporaryDirectory folder;
+  const auto directory = folder.path() / "run";
+  std::filesystem::create_directory(directory);
+  RunRecord record(directory, sample::reports_per_segment);
+  record.begin(sample::description());
+  const std::uint64_t before = GENERATE(1, 7);
+  sample::record_intervals(record, 1, before);
+  std::filesystem::remove_all(directory);
+  SECTION("found by the next segment") {
+    CHECK_THROWS_AS(sample::record_intervals(record, before + 1, before + 6), StorageError);
+  }
+  SECTION("found by the next checkpoint") {
+    CHECK_THROWS_AS(record.save(), StorageError);
+  }
+  CHECK_FALSE(std::filesystem::exists(directory));
+}
+
+TEST_CASE("a table that is removed during the run is found at the next checkpoint",
+          "[coupler][record][faults]") {
+  const sample::TemporaryDirectory folder;
+  RunRecord record(folder.path(), sample::reports_per_segment);
+  record.begin(sample::description());
+  sample::record_intervals(record, 1, 6);
+  std::filesystem::remove(folder.path() / "ledger.csv");
+  CHECK_THROWS_WITH(record.save(), Catch::Contains("ledger.csv was removed"));
+}
+
+TEST_CASE("a lock that somebody holds on a segment does not keep the library from reading or writing",
+          "[coupler][record][faults]") {
+  const sample::TemporaryDirectory folder;
+  sample::record_run(folder.path(), 8);
+  const auto segment = folder.path() / "segments" / "000001.h5";
+  const int descriptor = ::open(segment.c_str(), O_RDONLY);
+  REQUIRE(::flock(descriptor, LOCK_EX | LOCK_NB) == 0);
+  CHECK_NOTHROW(Hdf5File::open(segment).datasets());
+  CHECK_NOTHROW(Hdf5File::create(segment));
+  ::close(descriptor);
 }
