@@ -34,7 +34,12 @@ class Copy {
             .string();
     if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder for a copy");
     path_ = pattern;
-    fs::copy(run, path_, fs::copy_options::recursive);
+    for (const auto& entry : fs::recursive_directory_iterator(run)) {
+      const fs::path place = path_ / entry.path().lexically_relative(run);
+      if (entry.is_directory()) fs::create_directory(place);
+      // A socket may lie there of a run that was killed.
+      if (entry.is_regular_file()) fs::copy_file(entry.path(), place);
+    }
   }
   ~Copy() {
     std::error_code ignored;
