@@ -36,7 +36,7 @@ foreach(laws structure/material network/laws common/coupling)
   forbid(${laws} "(structure/mesh|structure/dynamics|common/exchange|common/case/read|filesystem|fstream)" "laws know no mesh, file or socket")
 endforeach()
 
-one_door("zmq" "common/exchange/channel\\.cpp|coupler/faults/frame_link\\.cpp")
+one_door("zmq" "common/exchange/(frames|curve_keys|key_check|connection_guard|(coupler|participant)_channel)\\.cpp|coupler/faults/frame_link\\.cpp")
 one_door("toml" "common/case/[a-z_]*\\.cpp")
 one_door("udunits" "common/case/units\\.cpp")
 one_door("(hdf5|H5)" "coupler/record/hdf5_file\\.cpp")

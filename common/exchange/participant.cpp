@@ -2,7 +2,6 @@
 #include "common/exchange/participant.hpp"
 
 #include <fmt/format.h>
-#include <sys/prctl.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -26,6 +25,8 @@ int participant_main(Role role, int argc, char** argv, const char* solver_name, 
   options.solver_version = FISSURA_VERSION;
   std::string level = "info";
   program.add_option("--connect", options.endpoint, "endpoint of the coupler")->required();
+  std::optional<std::filesystem::path> keys;
+  program.add_option("--keys", keys, fmt::format("directory with {}.secret and coupler.public", name(role)));
   program.add_option("--log", level, "debug, info, warn or error");
   program.set_version_flag("--version", options.solver_version);
   try {
@@ -35,7 +36,7 @@ int participant_main(Role role, int argc, char** argv, const char* solver_name, 
     std::signal(SIGINT, SIG_IGN);
     hold_signals({SIGTERM, SIGHUP});
     dump_stack_on_request();
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (keys) options.keys = read_participant_keys(*keys, name(role));
     return run_participant(role, options, solver);
   } catch (const CLI::ParseError& fault) {
     return program.exit(fault) == 0 ? 0 : static_cast<int>(ExitCode::command_line);

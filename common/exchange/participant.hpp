@@ -2,9 +2,11 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "common/errors.hpp"
+#include "common/exchange/curve_keys.hpp"
 #include "common/exchange/message.hpp"
 #include "common/exchange/role.hpp"
 #include "common/fracture_network/fracture_network.hpp"
@@ -16,13 +18,14 @@ namespace fissura {
 struct Assignment {
   nlohmann::json run_case;  ///< the case in SI, see common/case/case_json.hpp
   int threads = 1;
-  /// A restore follows: nothing that the restored state replaces need be computed, and no topology is asked for.
+  /// A restore follows: nothing that the restored state replaces need be computed, and no topology is asked
+  /// for.
   bool resumes = false;
 };
 
-/// A solver as the coupler sees it. Calls come in this order: join; insert (revision 0), or, of an Assignment that
-/// resumes, restore; then any number of advance, insert, report, save; finish. Any of them may throw: the failure is sent to the coupler and the process
-/// ends with the code of the Error.
+/// A solver as the coupler sees it. Calls come in this order: join; insert (revision 0), or, of an Assignment
+/// that resumes, restore; then any number of advance, insert, report, save; finish. Any of them may throw:
+/// the failure is sent to the coupler and the process ends with the code of the Error.
 class Solver {
  public:
   virtual ~Solver() = default;
@@ -40,9 +43,10 @@ class Solver {
   virtual std::string insert(const Insertion& insertion) = 0;
   /// Fields for the record: REPORT in, FIELDS out.
   virtual Message report(const Message& command) = 0;
-  /// Everything that later answers depend on, bit for bit, as an opaque blob: at a coupling time, with no insertion proposed
-  /// that has not been carried out. restore gives it back to another process of the same program and case; throws
-  /// Error(checkpoint_unusable) if the bytes are none of its own, and is unchanged then.
+  /// Everything that later answers depend on, bit for bit, as an opaque blob: at a coupling time, with no
+  /// insertion proposed that has not been carried out. restore gives it back to another process of the same
+  /// program and case; throws Error(checkpoint_unusable) if the bytes are none of its own, and is unchanged
+  /// then.
   virtual std::vector<std::byte> save() = 0;
   virtual void restore(const std::vector<std::byte>& state) = 0;
   /// Last figures of the participant for summary.json (wall times, counts).
@@ -54,18 +58,20 @@ struct ParticipantOptions {
   std::string endpoint;
   std::string solver_name, solver_version;
   double coupler_deadline = 60;  ///< wall seconds without any word from the coupler [s]
+  std::optional<ParticipantKeys> keys = {};
 };
 
 /// Tells the coupler that the solver is still getting on, at most ten times a second; cheap enough for every
 /// explicit step and every Newton iteration. Does nothing outside run_participant.
 void note_progress(const char* phase);
 
-/// Connects, joins, serves the coupler's commands until FINISH and returns the exit code of the process. Every
-/// failure is sent as FAIL with a sentence, and printed, before it returns. Ends with a sentence of its own if the
-/// coupler disappears (connection lost) or is silent for longer than coupler_deadline.
+/// Connects, joins, serves the coupler's commands until FINISH and returns the exit code of the process.
+/// Every failure is sent as FAIL with a sentence, and printed, before it returns. Ends with a sentence of its
+/// own if the coupler disappears (connection lost) or is silent for longer than coupler_deadline.
 int run_participant(Role role, const ParticipantOptions& options, Solver& solver);
 
-/// The whole main() of a participant: reads `--connect ENDPOINT`, runs, and turns exceptions into exit codes.
+/// The whole main() of a participant: reads `--connect ENDPOINT` and `--keys DIR`, runs, and turns exceptions
+/// into exit codes.
 int participant_main(Role role, int argc, char** argv, const char* solver_name, Solver& solver);
 
 }  // namespace fissura

@@ -37,8 +37,7 @@ void spoil(Message& message, const Spoil& spoil) {
     std::memcpy(place, &value, sizeof(value));
     return;
   }
-  log::warn(
-      fmt::format("nothing to spoil: the reply has no value {} in \"{}\"", spoil.index, spoil.field));
+  log::warn(fmt::format("nothing to spoil: the reply has no value {} in \"{}\"", spoil.index, spoil.field));
 }
 
 /// Adds the wall time of its life to a sum.
@@ -67,7 +66,7 @@ Session::Session(Role role, const ParticipantOptions& options, Solver& solver)
     : role_(role),
       options_(options),
       solver_(solver),
-      channel_(options.endpoint),
+      channel_(options.endpoint, options.keys, Seconds(options.coupler_deadline)),
       deadline_(options.coupler_deadline) {}
 
 Session::~Session() {

@@ -8,6 +8,7 @@
 #include "common/errors.hpp"
 #include "common/log.hpp"
 #include "coupler/cli/check_command.hpp"
+#include "coupler/cli/keys_command.hpp"
 #include "coupler/cli/report_command.hpp"
 #include "coupler/cli/run_command.hpp"
 #include "coupler/cli/seismicity_command.hpp"
@@ -80,6 +81,13 @@ int main(int argc, char** argv) {
       ->type_name("FILE");
   run->add_flag("--heal", options.heal, "goes on by itself after a process died or hung");
   run->add_flag("--debug-attach", options.debug_attach, "for a debugger: no deadline ends the run");
+  run->add_option("--keys", options.keys, "directory with keys: participants must prove theirs")
+      ->type_name("DIR");
+  run->add_option("--await", options.awaited,
+                  "structure or network: somebody else starts it, perhaps elsewhere")
+      ->check(CLI::IsMember({"structure", "network"}))
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   run->add_flag("--json", options.json, "prints the summary as JSON");
 
   fissura::coupler::ResumeOptions resume_options;
@@ -125,9 +133,16 @@ int main(int argc, char** argv) {
   CLI::App* verify = program.add_subcommand("verify", "compares every file of a run with what was written");
   verify->add_option("RUN", run_directory, "run directory; the run may be going on")->required();
 
+  std::filesystem::path key_directory;
+  CLI::App* keys = program.add_subcommand("keys", "keys of coupler and participants, for runs across hosts");
+  keys->require_subcommand(1);
+  CLI::App* new_keys = keys->add_subcommand("new", "makes the keys of one trio");
+  new_keys->add_option("DIR", key_directory, "directory to write them into")->required();
+
   try {
     program.parse(argc, argv);
     if (short_form) options.source.variants.emplace_back("short");
+    if (new_keys->parsed()) return fissura::coupler::new_keys_command(key_directory);
     if (run->parsed()) return fissura::coupler::run_command(options);
     if (resume->parsed()) return fissura::coupler::resume_command(resume_options);
     if (report->parsed()) return fissura::coupler::report_command(run_directory, page);

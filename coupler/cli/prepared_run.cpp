@@ -44,6 +44,8 @@ json content_of(const PreparedRun& run) {
           {"end", run.end},
           {"structure_command", run.structure_command},
           {"network_command", run.network_command},
+          {"keys", run.keys ? json(*run.keys) : json()},
+          {"awaited", run.awaited},
           {"threads", run.threads},
           {"json", run.json},
           {"command_line", run.command_line}};
@@ -59,6 +61,8 @@ PreparedRun run_of(const json& content) {
   run.end = content.at("end").get<double>();
   run.structure_command = content.at("structure_command").get<std::string>();
   run.network_command = content.at("network_command").get<std::string>();
+  if (const json& keys = content.at("keys"); !keys.is_null()) run.keys = keys.get<std::filesystem::path>();
+  run.awaited = content.at("awaited").get<std::vector<std::string>>();
   run.threads = content.at("threads").get<int>();
   run.json = content.at("json").get<bool>();
   run.command_line = content.at("command_line").get<std::vector<std::string>>();

@@ -8,6 +8,7 @@
 
 #include "common/case/expected.hpp"
 #include "common/case/read_case.hpp"
+#include "common/exchange/channel.hpp"
 #include "common/exchange/message.hpp"
 #include "coupler/faults/fault_plan.hpp"
 
@@ -20,6 +21,9 @@ struct PreparedRun {
   std::filesystem::path directory;
   double end = 0;  ///< of the run, at most that of the case [s]
   std::string structure_command, network_command;
+  std::optional<std::filesystem::path> keys;  ///< directory, absolute
+  std::vector<std::string> awaited;           ///< roles that somebody else starts
+  Listening listening;                        ///< not in resume.json: keys are read anew
   int threads = 1;
   bool json = false;
   bool debug_attach = false;  ///< a debugger may hold a process: no deadline ends the run

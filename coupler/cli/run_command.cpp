@@ -11,12 +11,16 @@
 #include <thread>
 
 #include "common/case/units.hpp"
+#include "common/exchange/participant.hpp"
 #include "common/faults/process_fault.hpp"
 #include "coupler/cli/epochs.hpp"
 #include "coupler/cli/natural_fracture_files.hpp"
 #include "coupler/cli/run_worker.hpp"
 #include "coupler/faults/proxy.hpp"
 #include "coupler/launch/machine_check.hpp"
+#include "coupler/launch/message_bound.hpp"
+#include "coupler/launch/secure_endpoint.hpp"
+#include "coupler/launch/socket_place.hpp"
 #include "coupler/launch/supervisor.hpp"
 #include "coupler/record/run_directory.hpp"
 #include "coupler/verdict/verdict.hpp"
@@ -91,6 +95,24 @@ void read_faults(const std::optional<std::string>& fault, const std::optional<st
   run.fault_plan_file = std::filesystem::absolute(*plan);
 }
 
+/// Where the participants of `run` connect, and with which keys. Throws Error(security) if keys are needed and there are
+/// none, or some cannot be used.
+void open_door(PreparedRun& run) {
+  const Case& run_case = run.reading.value;
+  run.listening.endpoint = run_case.exchange.endpoint;
+  run.listening.largest_frame = largest_frame(run_case);
+  require_keys(run.listening.endpoint, run.keys ? Keys::present : Keys::absent);
+  raise_limit_of_open_files();
+  if (!run.keys) return;
+  if (!run.fault_plan.messages.empty())
+    throw Error(ExitCode::command_line,
+                "a plan cannot spoil messages that keys protect: leave out --keys or those faults");
+  run.listening.keys = read_coupler_keys(*run.keys);
+  for (const Role role : {Role::structure, Role::network})
+    if (std::find(run.awaited.begin(), run.awaited.end(), name(role)) == run.awaited.end())
+      (void)read_participant_keys(*run.keys, name(role));
+}
+
 /// Runs under a supervisor that holds the run directory.
 int supervised(const PreparedRun& prepared, const Attempt& first, bool heals) {
   PreparedRun run = prepared;
@@ -98,6 +120,8 @@ int supervised(const PreparedRun& prepared, const Attempt& first, bool heals) {
   run.network_command = relayed(run, "network", prepared.network_command);
   // Threads of the structure that wait for each other long would keep the other two processes from the cores.
   ::setenv("GOMP_SPINCOUNT", "1000", 0);
+  const SocketPlace socket(run.directory);
+  if (run.listening.endpoint == "ipc") run.listening.endpoint = socket.endpoint();
   StatusPage status(run.directory / "status");
   constexpr double no_deadline = std::numeric_limits<double>::infinity();
   const double deadline = run.debug_attach ? no_deadline : run.reading.value.deadlines.progress;
@@ -128,6 +152,8 @@ PreparedRun prepare_run(const RunOptions& options) {
   RunDirectory::check(run.directory);
   run.structure_command = options.structure_command.value_or(sibling("structure"));
   run.network_command = options.network_command.value_or(sibling("network"));
+  if (options.keys) run.keys = std::filesystem::absolute(*options.keys);
+  run.awaited = options.awaited;
   run.threads = options.threads > 0 ? options.threads
                                     : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   run.json = options.json;
@@ -139,6 +165,7 @@ PreparedRun prepare_run(const RunOptions& options) {
 
 int run_command(const RunOptions& options) {
   PreparedRun run = prepare_run(options);
+  open_door(run);
   for (const Fault& warning : run.reading.warnings)
     std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
   const RunDirectory directory(run.directory);
@@ -158,6 +185,7 @@ int resume_command(const ResumeOptions& options) {
   run.json = run.json || options.json;
   read_faults(options.fault, options.fault_plan, run);
   announce_faults(options.fault, run);
+  open_door(run);
   return supervised(run, {true, epochs_so_far(run.directory)}, options.heal);
 }
 

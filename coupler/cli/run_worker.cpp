@@ -33,30 +33,11 @@ double since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A path for the socket that the system accepts: its address holds about a hundred characters.
-class SocketPlace {
- public:
-  explicit SocketPlace(const std::filesystem::path& run_directory) {
-    constexpr std::size_t longest_address = 100;
-    path_ = std::filesystem::absolute(run_directory / socket_name);
-    if (path_.string().size() <= longest_address) return;
-    std::string pattern = (std::filesystem::temp_directory_path() / "fissura-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw Error(ExitCode::precondition, "cannot create " + pattern);
-    temporary_ = pattern;
-    path_ = temporary_ / socket_name;
-  }
-  ~SocketPlace() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-    if (!temporary_.empty()) std::filesystem::remove(temporary_, ignored);
-  }
-  SocketPlace(const SocketPlace&) = delete;
-  SocketPlace& operator=(const SocketPlace&) = delete;
-  [[nodiscard]] std::string endpoint() const { return "ipc://" + path_.string(); }
-
- private:
-  std::filesystem::path path_, temporary_;
-};
+std::string shell_word(const std::string& text) {
+  std::string word = "'";
+  for (const char character : text) word += character == '\'' ? "'\\''" : std::string(1, character);
+  return word + "'";
+}
 
 std::string solver_of(const Trio& trio, Role role) {
   const ParticipantIdentity& identity = trio.identity(role);
@@ -83,7 +64,6 @@ class Worker {
         store_(run.directory, run.reading.value.checkpoint.keep),
         record_(run.directory, run.reading.value.output.reports_per_segment),
         monitor_(run.reading.value),
-        socket_(run.directory),
         trio_(trio_options(), run.run_id, attempt.epoch, status) {}
 
   int execute() {
@@ -119,12 +99,14 @@ class Worker {
 
  private:
   [[nodiscard]] TrioOptions trio_options() {
-    const Case& run_case = run_.reading.value;
     TrioOptions options;
-    options.endpoint = run_case.exchange.endpoint == "ipc" ? socket_.endpoint() : run_case.exchange.endpoint;
-    options.command = {run_.structure_command, run_.network_command};
+    options.listening = run_.listening;
+    for (const auto& [role, command] : {std::pair{Role::structure, run_.structure_command}, {Role::network, run_.network_command}})
+      if (std::find(run_.awaited.begin(), run_.awaited.end(), name(role)) == run_.awaited.end())
+        options.command[static_cast<std::size_t>(role)] = command;
+    if (run_.keys) options.more_words = " --keys " + shell_word(run_.keys->string());
     options.threads = run_.threads;
-    options.deadlines = run_case.deadlines;
+    options.deadlines = run_.reading.value.deadlines;
     options.debug_attach = run_.debug_attach;
     options.on_warning = [this](Role role, const char* event, const std::string& text) {
       log::warn(text);
@@ -327,7 +309,6 @@ class Worker {
   CheckpointStore store_;
   RunRecord record_;
   SeismicMonitor monitor_;
-  SocketPlace socket_;
   Trio trio_;
   RunFigures figures_;
   bool recording_ = false;  ///< run.json and the tables exist

@@ -38,7 +38,7 @@ bool may_be_said(const CouplerMove& move) {
 }  // namespace
 
 Trio::Trio(const TrioOptions& options, const RunId& run, std::uint32_t epoch, StatusPage& status)
-    : options_(options), status_(status), channel_(options.endpoint, run, epoch), run_id_(hexadecimal(run)) {
+    : options_(options), status_(status), channel_(options.listening, run, epoch), run_id_(hexadecimal(run)) {
   participants_[0].role = Role::structure;
   participants_[1].role = Role::network;
   for (Participant& each : participants_) each.ladder = ProgressLadder(options.deadlines.progress);
@@ -63,10 +63,13 @@ void Trio::start_process(Participant& each) {
     if (const std::optional<std::string> reason = why_not_executable(*command))
       fail(ExitCode::precondition, each, "cannot be started: " + *reason);
     each.process.emplace(std::vector<std::string>{
-        "/bin/sh", "-c", fmt::format("exec {} --connect '{}'", *command, channel_.endpoint())});
+        "/bin/sh", "-c", fmt::format("exec {}{} --connect '{}'", *command, options_.more_words, channel_.endpoint())});
     each.memory.emplace(each.process->pid());
     deaths_.add(each.process->descriptor(), static_cast<std::size_t>(each.role));
   }
+  if (!command)
+    log::info(
+        fmt::format("waiting for the {} to connect to {}", name(each.role), options_.listening.endpoint));
   show(each);
 }
 
@@ -182,7 +185,7 @@ bool Trio::handle(CouplerChannel::Event&& event) {
         }
         return true;
       }
-    hear_stranger(received->peer, received->message);
+    hear_stranger(*received);
     return true;
   }
   if (auto* fault = std::get_if<CouplerChannel::PeerFault>(&event)) {
@@ -195,7 +198,7 @@ bool Trio::handle(CouplerChannel::Event&& event) {
   }
   if (auto* lost = std::get_if<CouplerChannel::PeerLost>(&event)) {
     for (Participant& each : participants_)
-      if (each.peer == lost->peer) peer_lost(each);
+      if (each.peer == lost->peer) peer_lost(each, lost->how);
     return true;
   }
   return false;
@@ -273,19 +276,30 @@ void Trio::hear_failure(Participant& each, const Message& message) {
 
 // ---- who takes part ---------------------------------------------------------------------------------
 
-void Trio::hear_stranger(PeerNumber peer, const Message& message) {
+void Trio::hear_stranger(const CouplerChannel::Received& received) {
+  const PeerNumber peer = received.peer;
+  const Message& message = received.message;
   const Word word = word_of(message);
   if (word != Word::hello) {
-    log::warn(fmt::format("{} from an unknown peer was ignored", name(message.type)));
+    channel_.dismiss(peer, fmt::format("is no participant and sent {}", name(message.type)));
     return;
   }
   try {
     const auto role_text = message.value<std::string>("role");
+    if (received.proven_role.value_or(role_text) != role_text) {
+      refuse(peer, ExitCode::security,
+             fmt::format("it claims the role {} with the key of the role {}", role_text,
+                         *received.proven_role),
+             message.body);
+      return;
+    }
     for (Participant& each : participants_) {
       if (role_text != name(each.role)) continue;
       if (std::holds_alternative<ProtocolFault>(reaction(each.role, each.view, word)))
         refuse(peer, ExitCode::role_taken,
-               fmt::format("the role {} is held by process {}", role_text, each.identity.pid), message.body);
+               fmt::format("the role {} is held by process {} since {:.0f} s", role_text, each.identity.pid,
+                           since(each.joined)),
+               message.body);
       else
         greet(peer, each, message);
       return;
@@ -308,7 +322,7 @@ void Trio::greet(PeerNumber peer, Participant& each, const Message& hello) {
   }
   each.peer = peer;
   each.identity = std::move(identity);
-  each.last_word = each.asked_at = Clock::now();
+  each.joined = each.last_word = each.asked_at = Clock::now();
   each.asked = "WELCOME";
   if (each.process) each.memory.emplace(each.process->pid());
   Message welcome(MessageType::welcome);
@@ -324,7 +338,7 @@ void Trio::greet(PeerNumber peer, Participant& each, const Message& hello) {
 // A stranger does not disturb the run; but if it is the process that was to take the part, the run cannot
 // begin.
 void Trio::refuse(PeerNumber peer, ExitCode code, const std::string& reason, const nlohmann::json& hello) {
-  log::warn("a participant was refused: " + reason);
+  channel_.note(name(code), "refused: " + reason);
   Message message(MessageType::reject);
   message.body = {{"reason", reason}, {"exit_code", static_cast<int>(code)}};
   try {

@@ -35,14 +35,15 @@ struct ParticipantFailure : Error {
 using TrioWarning = std::function<void(Role role, const char* event, const std::string& text)>;
 
 struct TrioOptions {
-  std::string endpoint;  ///< to bind, ipc://... or tcp://127.0.0.1:*
-  /// Shell command of each Role; `--connect ENDPOINT` is appended. Nothing: somebody else starts that
-  /// participant, and it is awaited.
+  Listening listening;  ///< where participants connect, and with which keys
+  /// Shell command of each Role; `more_words` and `--connect ENDPOINT` are appended. Nothing: somebody else
+  /// starts that participant, and it is awaited.
   std::array<std::optional<std::string>, 2> command;
   int threads = 1;  ///< of the structure
   Deadlines deadlines;
   bool debug_attach =
       false;  ///< a debugger may hold a participant: neither silence nor being stopped ends the run
+  std::string more_words = {};  ///< of every command, e.g. " --keys 'DIR'"
   TrioWarning on_warning = {};  ///< without it warnings go to the log
 };
 
@@ -105,7 +106,7 @@ class Trio {
     std::uint64_t interval = 0, revision = 0;  ///< of that command
     std::string phase = "start";  ///< as of its last PROGRESS
     std::uint64_t count = 0;
-    Clock::time_point asked_at{}, last_word{};
+    Clock::time_point asked_at{}, last_word{}, joined{};
     std::optional<Clock::time_point> stopped_since;
     ProgressLadder ladder{0};
     std::optional<ProcessActivity> activity_when_warned;
@@ -130,10 +131,10 @@ class Trio {
   void hear_progress(Participant& each, const Message& message);
   void hear_stop_request(const Participant& participant, const Message& progress);
   [[noreturn]] void hear_failure(Participant& each, const Message& message);
-  void hear_stranger(PeerNumber peer, const Message& message);
+  void hear_stranger(const CouplerChannel::Received& received);
   void greet(PeerNumber peer, Participant& each, const Message& hello);
   void refuse(PeerNumber peer, ExitCode code, const std::string& reason, const nlohmann::json& hello);
-  void peer_lost(Participant& each);
+  void peer_lost(Participant& each, Loss how);
 
   void watch_processes();
   [[noreturn]] void process_ended(Participant& each);

@@ -11,6 +11,8 @@ namespace fissura::coupler {
 
 namespace {
 
+constexpr double patience_for_others =
+    600;  // wall seconds until a participant that somebody else starts has to be there
 constexpr Seconds tick{0.05};
 constexpr Seconds keep_alive_interval{1.0};
 constexpr double stop_tolerance = 1.5;  // wall seconds a participant may be stopped
@@ -85,8 +87,16 @@ void Trio::process_ended(Participant& each) {
   fail(code, each, sentence);
 }
 
-void Trio::peer_lost(Participant& each) {
+void Trio::peer_lost(Participant& each, Loss how) {
   if (each.view == CouplerView::leaving || each.view == CouplerView::gone) return;
+  if (how == Loss::broke_framing)
+    fail(ExitCode::protocol_violation, each,
+         fmt::format("sent more than {} bytes in one frame or broke the framing of its connection",
+                     options_.listening.largest_frame));
+  if (!each.process && how == Loss::fell_silent)
+    fail(ExitCode::participant_unresponsive, each,
+         fmt::format("has not answered for {} s: it is stopped or cannot be reached",
+                     transport_silence.count()));
   if (!each.process) fail(ExitCode::participant_died, each, "is gone: its connection broke");
   if (each.process->stopped()) {
     if (options_.debug_attach)
@@ -144,7 +154,8 @@ void Trio::wait_for_end(Participant& each) {
 void Trio::watch_silence(Participant& each) {
   if (options_.debug_attach) return;
   const double silent = since(each.last_word);
-  const double join = options_.deadlines.join;
+  const bool awaited = each.view == CouplerView::absent && !each.process;
+  const double join = awaited ? patience_for_others : options_.deadlines.join;
   switch (each.view) {
     case CouplerView::absent:
       if (silent > join)

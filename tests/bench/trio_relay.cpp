@@ -94,7 +94,7 @@ class InstantStructure : public InstantSolver {
 
 coupler::TrioOptions options(const std::string& endpoint, const std::string& program) {
   coupler::TrioOptions options;
-  options.endpoint = endpoint;
+  options.listening.endpoint = endpoint;
   for (const Role role : {Role::structure, Role::network})
     options.command[static_cast<std::size_t>(role)] = fmt::format("'{}' {} --log error", program, name(role));
   // While the other relays are measured the participants hear nothing.
