@@ -63,8 +63,6 @@ class Supervisor {
     ::kill(-child, SIGKILL);
     if (!end_descendants(not_ours_))
       tell("coupler: warning: a process of the run cannot be ended: the kernel holds it");
-    std::error_code ignored;
-    std::filesystem::remove(supervision_.directory / socket_name, ignored);
     return end;
   }
 

@@ -16,9 +16,6 @@ struct Attempt {
   std::uint32_t epoch = 0;  ///< how often the run has been resumed
 };
 
-/// The socket of a run in its directory; nothing of it is left after the worker.
-inline constexpr const char* socket_name = "coupler.ipc";
-
 struct Supervision {
   std::filesystem::path directory;  ///< of the run, claimed by this process
   double deadline = 0;              ///< wall seconds the worker may go without a beat; infinite: it may be stopped, too
