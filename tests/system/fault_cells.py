@@ -99,7 +99,10 @@ def process_cells():
     for row in PROCESS_ROWS:
         for role in row.roles:
             for place, point, interval in points(role, row.phases):
-                yield Cell(row.name, f"{role} {place}", End(row.code, row.who or role, row.says, interval),
+                # Before it is connected it cannot say why: its exit code must do.
+                speechless = point["phase"] == "hello" and row.name in ("uncaught exception", "says it failed")
+                says = f"ended with exit code {row.code}" if speechless else row.says
+                yield Cell(row.name, f"{role} {place}", End(row.code, row.who or role, says, interval),
                            faults=({"role": role, **point, **row.do},), within=row.within, needs=("--fault-plan",))
     for row in SURVIVED_ROWS:
         for role in row.roles:
@@ -115,7 +118,8 @@ def resume_cells():
         if row.name in ("killed", "uncaught exception", "stopped", "leaves with success"):
             for role, phases in RESUMING.items():
                 for phase in phases:
-                    yield Cell(f"{row.name} while resuming", f"{role} {phase}", End(row.code, role, row.says), within=row.within,
+                    says = "exit code 70" if phase == "hello" and row.code == 70 else row.says
+                    yield Cell(f"{row.name} while resuming", f"{role} {phase}", End(row.code, role, says), within=row.within,
                                faults=(first, {"role": role, "phase": phase, "epoch": 1, **row.do}), script="dies_while_resuming",
                                needs=("--fault-plan", "resume"))
 
@@ -269,8 +273,8 @@ class MessageRow:
 # The last word of a conversation: nothing comes after it that could tell.
 LAST_WORDS = ("FINISH", "BYE")
 LOST = "21|22"  # found by the next message of that direction, or by the deadline if none comes
-# Before its HELLO a peer has no name: what it sends is ignored with a warning, and the participant never introduces itself.
-NOT_KNOWN_YET = (("HELLO", "21"),)
+# Before its HELLO a peer has no name: that it was refused is said when the participant ends, or does not introduce itself in time.
+NOT_KNOWN_YET = (("HELLO", "21|22"),)
 MESSAGE_ROWS = (
     MessageRow("lost message", {"do": "drop"}, LOST, within=5),
     MessageRow("message twice", {"do": "duplicate"}, "22", r"came twice|already|not expected|no answer|twice|again|state", without=("BYE", "FINISH")),
@@ -297,7 +301,7 @@ MESSAGE_ROWS = (
     MessageRow("connection cut", {"do": "cut"}, "20|21", "connection|closed", within=1),
     MessageRow("one direction dead", {"do": "half_open"}, LOST, within=5, types=("WELCOME", "ADVANCE", "INSERT", "RESPONSE", "PRESSURE", "ACKNOWLEDGE", "STATE", "SAVE")),
     MessageRow("too large", {"do": "oversize", "bytes": 900_000_000}, "20|21|22", "", within=5, types=("ADVANCE", "RESPONSE", "PRESSURE", "HELLO", "STATE")),
-    MessageRow("nonsense before it", {"do": "nonsense", "bytes": 1000}, "22", exceptions=(("HELLO", "0"),)),
+    MessageRow("nonsense before it", {"do": "nonsense", "bytes": 1000}, "22", exceptions=NOT_KNOWN_YET),
 )
 ARRAYS = {"ADVANCE": {"network": ("aperture", "compliance"), "structure": ("pressure_begin", "pressure_end")},
           "PRESSURE": {"network": ("pressure", "aperture_predicted", "filled")}, "RESPONSE": {"structure": ("aperture", "pressure_applied")},
