@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
+#include <random>
 
 #include "common/errors.hpp"
 #include "common/fracture_network/insertion_archive.hpp"
@@ -183,4 +184,40 @@ TEST_CASE("a snapshot that is cut short, changed, or of another case is refused"
   other.model.run_case.rock.density += 1;
   refused(bytes, "another case");
   CHECK(other.geometry.number == 0);
+}
+
+TEST_CASE("a snapshot that was changed under a right checksum is refused, or is a structure that can go on",
+          "[structure][snapshot]") {
+  Structure original;
+  original.advance(0, 0.01);
+  original.change_mesh();
+  const StateOwner owner = structure_owner(original.model.run_case);
+  const std::vector<std::byte> blob = original.save();
+  const auto inside = state_inside(blob, owner);
+  std::mt19937_64 random(5);
+  int refused = 0, taken = 0;
+  Structure other;
+  for (int round = 0; round < 200; ++round) {
+    std::vector<std::byte> changed(inside.begin(), inside.end());
+    const std::size_t at = random() % (changed.size() - 8);
+    if (round % 2 == 0)
+      changed[at] = static_cast<std::byte>(random());
+    else
+      for (std::size_t k = 0; k < 8; ++k) changed[at + k] = static_cast<std::byte>(random());
+    ByteWriter bytes;
+    begin_state(owner, bytes);
+    for (const std::byte value : changed) bytes.put(value);
+    const std::vector<std::byte> forged = end_state(bytes);
+    try {
+      other.restore(forged);
+      ++taken;
+      REQUIRE(other.save() == forged);
+      const double step = stable_step(other.model, other.geometry, other.state);
+      StructureRun(other.model, other.geometry).advance(0, step, other.state);
+    } catch (const Error&) {
+      ++refused;
+    }
+  }
+  CHECK(refused > 0);
+  CHECK(taken > 0);
 }
