@@ -94,8 +94,12 @@ class ParticipantChannel::Implementation {
 
   void send(Message message) {
     if (lost_) return;
-    if (!send_frames(attempt_->socket(), encode(std::move(message), {run_, epoch_, sent_})))
+    if (!send_frames(attempt_->socket(), encode(std::move(message), {run_, epoch_, sent_}))) {
+      // A connection that has just ended takes nothing either.
+      hear_reports();
+      if (lost_) return;
       throw ProtocolError("the outgoing queue to the coupler is full");
+    }
     ++sent_;
   }
 
@@ -125,11 +129,10 @@ class ParticipantChannel::Implementation {
       if (event == ZMQ_EVENT_DISCONNECTED) lost_ = true;
       if (event == ZMQ_EVENT_HANDSHAKE_FAILED_AUTH)
         throw Error(ExitCode::security, "the coupler does not accept the key of this participant");
-      if (event == ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL)
+      if (event == ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL || event == ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL)
         throw Error(ExitCode::security,
                     "the handshake with the coupler failed: it is another coupler than coupler.public names, "
-                    "or only one of "
-                    "the two was started with --keys");
+                    "or only one of the two was started with --keys, or it has just ended");
     }
   }
 
