@@ -82,10 +82,12 @@ class SparseLog {
 
 /// How a connection ended, told by a duplicate of its descriptor that is still open.
 Loss loss_of(int duplicate) {
-  pollfd state{duplicate, POLLRDHUP, 0};
-  if (::poll(&state, 1, 0) != 0) return Loss::closed;
+  // The transport stops reading at the first thing it cannot accept; the rest stays, or comes now.
+  constexpr int moment_ms = 50;
+  pollfd state{duplicate, POLLIN | POLLRDHUP, 0};
+  ::poll(&state, 1, moment_ms);
+  if ((state.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0) return Loss::closed;
   int unread = 0;
-  // The transport stops reading at the first thing it cannot accept, and the rest stays.
   if (::ioctl(duplicate, FIONREAD, &unread) == 0 && unread > 0) return Loss::broke_framing;
   return Loss::fell_silent;
 }
@@ -218,7 +220,8 @@ class ConnectionGuard::Implementation {
     const auto found = connections_.find(descriptor);
     if (found == connections_.end()) return;
     if (found->second.duplicate >= 0) {
-      ended_.push_back({found->second.number, loss_of(found->second.duplicate)});
+      ended_.push_back(
+          {found->second.number, found->second.kept ? loss_of(found->second.duplicate) : Loss::closed});
       news_.raise();
     }
     forget(found->second);

@@ -82,7 +82,8 @@ class CouplerChannel::Implementation {
           !send_frames(socket_, encode(std::move(message), {run_, epoch_, peer.sent})))
         throw ProtocolError(fmt::format("{} could not be sent: the outgoing queue is full", label));
       ++peer.sent;
-      if (type == MessageType::welcome || type == MessageType::reject) peer.rejected = peer.sent == 1 && type == MessageType::reject;
+      if (type == MessageType::welcome || type == MessageType::reject)
+        peer.rejected = peer.sent == 1 && type == MessageType::reject;
     } catch (const zmq::error_t& fault) {
       throw ProtocolError(fmt::format("{} could not be sent: {}", label, fault.what()));
     }

@@ -76,7 +76,8 @@ int main(int argc, char** argv) {
   run->add_option("--threads", options.threads, "threads of the structure; every core if not given")
       ->check(CLI::Range(1, 1024));
   run->add_option("--until", options.until, "an earlier end, e.g. \"2 s\"; without a verdict");
-  run->add_option("--fault", options.fault, "injects a fault: ROLE@INTERVAL=kill, stop, spin, fail, exit, nan, ...");
+  run->add_option("--fault", options.fault,
+                  "injects a fault: ROLE@INTERVAL=kill, stop, spin, fail, exit, nan, ...");
   run->add_option("--fault-plan", options.fault_plan, "injects the faults of this file (docs/operation.md)")
       ->type_name("FILE");
   run->add_flag("--heal", options.heal, "goes on by itself after a process died or hung");
@@ -128,7 +129,9 @@ int main(int argc, char** argv) {
   CLI::App* stop = program.add_subcommand("stop", "ends a run at its next coupling time, with a checkpoint");
   stop->add_option("RUN", run_directory, "run directory")->required();
   stop->add_flag("--now", now, "at once, without a checkpoint");
-  stop->add_option("--wait", patience, "seconds to wait for the end")->capture_default_str()->check(CLI::Range(0.0, 1e6));
+  stop->add_option("--wait", patience, "seconds to wait for the end")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e6));
 
   CLI::App* verify = program.add_subcommand("verify", "compares every file of a run with what was written");
   verify->add_option("RUN", run_directory, "run directory; the run may be going on")->required();
@@ -149,8 +152,8 @@ int main(int argc, char** argv) {
     if (status->parsed())
       return fissura::coupler::status_command(run_directory, as_json ? StatusForm::json : StatusForm::text);
     if (stop->parsed())
-      return fissura::coupler::stop_command(
-          run_directory, now ? StopTime::at_once : StopTime::next_coupling_time, patience);
+      return fissura::coupler::stop_command(run_directory,
+                                            now ? StopTime::at_once : StopTime::next_coupling_time, patience);
     if (verify->parsed()) return fissura::coupler::verify_command(run_directory);
     if (seismicity->parsed()) return fissura::coupler::seismicity_command(seismicity_options);
     return fissura::coupler::check_command(options.source, picture);

@@ -43,9 +43,9 @@ std::string hexadecimal(const RunId& run);
 /// Throws StorageError.
 void write_resume_file(const PreparedRun& run);
 
-/// What resume.json in `directory` says; faults to inject, how natural fractures were drawn and cleaned, and warnings, are not
-/// in it. References of expectations are the copies in RUN/input. Throws Error(checkpoint_unusable) saying
-/// what is wrong with the file, and Error(precondition) if there is none.
+/// What resume.json in `directory` says; faults to inject, how natural fractures were drawn and cleaned, and
+/// warnings, are not in it. References of expectations are the copies in RUN/input. Throws
+/// Error(checkpoint_unusable) saying what is wrong with the file, and Error(precondition) if there is none.
 PreparedRun read_resume_file(const std::filesystem::path& directory);
 
 }  // namespace fissura::coupler

@@ -73,8 +73,9 @@ void announce_faults(const std::optional<std::string>& fault, const PreparedRun&
     ::setenv("FISSURA_FAULT", fault->c_str(), 1);
   }
   if (run.fault_plan_file) {
-    std::fprintf(stderr, "warning: faults will be injected: %zu in processes and %zu in messages, as %s says\n",
-                 run.fault_plan.processes.size(), run.fault_plan.messages.size(), run.fault_plan_file->c_str());
+    std::fprintf(
+        stderr, "warning: faults will be injected: %zu in processes and %zu in messages, as %s says\n",
+        run.fault_plan.processes.size(), run.fault_plan.messages.size(), run.fault_plan_file->c_str());
     ::setenv("FISSURA_FAULT_PLAN", run.fault_plan_file->c_str(), 1);
   }
 }
@@ -95,8 +96,8 @@ void read_faults(const std::optional<std::string>& fault, const std::optional<st
   run.fault_plan_file = std::filesystem::absolute(*plan);
 }
 
-/// Where the participants of `run` connect, and with which keys. Throws Error(security) if keys are needed and there are
-/// none, or some cannot be used.
+/// Where the participants of `run` connect, and with which keys. Throws Error(security) if keys are needed
+/// and there are none, or some cannot be used.
 void open_door(PreparedRun& run) {
   const Case& run_case = run.reading.value;
   run.listening.endpoint = run_case.exchange.endpoint;

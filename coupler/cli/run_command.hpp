@@ -19,14 +19,14 @@ struct RunOptions {
   std::optional<std::string> network_command;      ///< default: the network beside this program
   std::optional<std::string> structure_command;
   std::optional<std::string> until;  ///< earlier end of the run, e.g. "2 s"
-  std::optional<std::string> fault;                ///< one fault in short, see process_fault.hpp
+  std::optional<std::string> fault;  ///< one fault in short, see process_fault.hpp
   std::optional<std::filesystem::path> fault_plan;
   std::optional<std::filesystem::path> keys;  ///< directory, see curve_keys.hpp
   std::vector<std::string> awaited;           ///< roles that somebody else starts
-  int threads = 0;                   ///< of the structure; 0: every core
-  bool heal = false;                 ///< go on by itself after a death
-  bool debug_attach = false;         ///< a debugger may hold a process: no deadline ends the run
-  bool json = false;                 ///< print summary.json instead of the table
+  int threads = 0;                            ///< of the structure; 0: every core
+  bool heal = false;                          ///< go on by itself after a death
+  bool debug_attach = false;                  ///< a debugger may hold a process: no deadline ends the run
+  bool json = false;                          ///< print summary.json instead of the table
   std::vector<std::string> command_line;
 };
 

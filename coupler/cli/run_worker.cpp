@@ -101,7 +101,8 @@ class Worker {
   [[nodiscard]] TrioOptions trio_options() {
     TrioOptions options;
     options.listening = run_.listening;
-    for (const auto& [role, command] : {std::pair{Role::structure, run_.structure_command}, {Role::network, run_.network_command}})
+    for (const auto& [role, command] :
+         {std::pair{Role::structure, run_.structure_command}, {Role::network, run_.network_command}})
       if (std::find(run_.awaited.begin(), run_.awaited.end(), name(role)) == run_.awaited.end())
         options.command[static_cast<std::size_t>(role)] = command;
     if (run_.keys) options.more_words = " --keys " + shell_word(run_.keys->string());

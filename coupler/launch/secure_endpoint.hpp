@@ -13,8 +13,8 @@ bool is_local(const std::string& endpoint);
 enum class Keys { present, absent };
 void require_keys(const std::string& endpoint, Keys keys);
 
-/// Raises the soft limit of open files to what a run with many strangers at its door needs. Throws
-/// Error(precondition) if the hard limit is below.
+/// Raises the soft limit of open files, as far as allowed, to what a run with many strangers at its door may
+/// need.
 void raise_limit_of_open_files();
 
 }  // namespace fissura::coupler

@@ -167,8 +167,9 @@ TEST_CASE("malformed case 40: a solver that nobody knows", "[common][case][malfo
 }
 
 TEST_CASE("malformed case 41: an endpoint that is no address in figures", "[common][case][malformed]") {
-  const std::string endpoint = GENERATE("tcp://*:5555", "tcp://127.0.0.1.evil.org:1", "tcp://localhost:5555",
-                                        "tcp://192.168.1.256:5555", "tcp://127.0.0.1:65536", "tcp://[::1:5555");
+  const std::string endpoint =
+      GENERATE("tcp://*:5555", "tcp://127.0.0.1.evil.org:1", "tcp://localhost:5555",
+               "tcp://192.168.1.256:5555", "tcp://127.0.0.1:65536", "tcp://[::1:5555");
   check_addition_refused("[exchange]\nendpoint = @\"" + endpoint + "\"\n",
                          "exchange.endpoint: found \"" + endpoint +
                              "\", expected \"ipc\" or an address in figures with a port, such as "

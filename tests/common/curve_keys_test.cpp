@@ -64,7 +64,8 @@ TEST_CASE("new keys never replace old ones, not even one of them", "[common][sec
   const KeyFiles files;
   for (const auto& entry : std::filesystem::directory_iterator(files.directory))
     if (entry.path().filename() != "network.secret") std::filesystem::remove(entry);
-  check_refused(ExitCode::precondition, "network.secret exists", [&] { (void)write_new_keys(files.directory); });
+  check_refused(ExitCode::precondition, "network.secret exists",
+                [&] { (void)write_new_keys(files.directory); });
   CHECK_FALSE(std::filesystem::exists(files.directory / "coupler.secret"));
 }
 

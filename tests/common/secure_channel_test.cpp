@@ -21,17 +21,19 @@ RunId some_run() {
 /// A coupler on loopback and keys for everybody.
 struct Guarded {
   KeyPair coupler = new_key_pair(), structure = new_key_pair(), network = new_key_pair();
-  CouplerChannel channel{{.endpoint = "tcp://127.0.0.1:*",
-                          .keys = CouplerKeys{coupler, {{"structure", structure.public_key}, {"network", network.public_key}}}},
-                         some_run(),
-                         0};
+  CouplerChannel channel{
+      {.endpoint = "tcp://127.0.0.1:*",
+       .keys = CouplerKeys{coupler, {{"structure", structure.public_key}, {"network", network.public_key}}}},
+      some_run(),
+      0};
 };
 
 CouplerChannel::Event next_event(CouplerChannel& channel, Seconds patience) {
   const auto end = std::chrono::steady_clock::now() + patience;
   CouplerChannel::Event event = Silence{};
-  while ((std::holds_alternative<Silence>(event) || std::holds_alternative<CouplerChannel::PeerLost>(event)) &&
-         std::chrono::steady_clock::now() < end)
+  while (
+      (std::holds_alternative<Silence>(event) || std::holds_alternative<CouplerChannel::PeerLost>(event)) &&
+      std::chrono::steady_clock::now() < end)
     event = channel.wait(Seconds(0.05), {});
   return event;
 }
@@ -39,7 +41,8 @@ CouplerChannel::Event next_event(CouplerChannel& channel, Seconds patience) {
 ExitCode refusal_of(ParticipantChannel& participant) {
   try {
     for (int attempt = 0; attempt < 40; ++attempt)
-      if (std::holds_alternative<ConnectionLost>(participant.receive(Seconds(0.05)))) return ExitCode::participant_died;
+      if (std::holds_alternative<ConnectionLost>(participant.receive(Seconds(0.05))))
+        return ExitCode::participant_died;
   } catch (const Error& error) {
     return error.code();
   }
@@ -77,7 +80,8 @@ bool is_closed(int descriptor, int patience) {
 TEST_CASE("the coupler knows by the key which role a connection may claim", "[common][security]") {
   Guarded coupler;
   for (const auto& [pair, role] : {std::pair{coupler.structure, "structure"}, {coupler.network, "network"}}) {
-    ParticipantChannel participant(coupler.channel.endpoint(), ParticipantKeys{pair, coupler.coupler.public_key}, Seconds(2));
+    ParticipantChannel participant(coupler.channel.endpoint(),
+                                   ParticipantKeys{pair, coupler.coupler.public_key}, Seconds(2));
     participant.send(Message(MessageType::hello));
     const auto event = next_event(coupler.channel, Seconds(2));
     const auto* received = std::get_if<CouplerChannel::Received>(&event);
@@ -88,12 +92,17 @@ TEST_CASE("the coupler knows by the key which role a connection may claim", "[co
   }
 }
 
-TEST_CASE("nothing is heard of a participant without the right keys, and it learns why", "[common][security]") {
+TEST_CASE("nothing is heard of a participant without the right keys, and it learns why",
+          "[common][security]") {
   Guarded coupler;
   std::optional<ParticipantKeys> keys;
   SECTION("without keys") {}
-  SECTION("a key that nobody allowed") { keys = ParticipantKeys{new_key_pair(), coupler.coupler.public_key}; }
-  SECTION("for another coupler") { keys = ParticipantKeys{coupler.structure, new_key_pair().public_key}; }
+  SECTION("a key that nobody allowed") {
+    keys = ParticipantKeys{new_key_pair(), coupler.coupler.public_key};
+  }
+  SECTION("for another coupler") {
+    keys = ParticipantKeys{coupler.structure, new_key_pair().public_key};
+  }
   ParticipantChannel participant(coupler.channel.endpoint(), keys, Seconds(2));
   participant.send(Message(MessageType::hello));
   check_nothing_comes(coupler.channel);
@@ -102,9 +111,8 @@ TEST_CASE("nothing is heard of a participant without the right keys, and it lear
 
 TEST_CASE("a participant with keys does not talk to a coupler without", "[common][security]") {
   CouplerChannel channel("tcp://127.0.0.1:*", some_run(), 0);
-  ParticipantChannel participant(channel.endpoint(), ParticipantKeys{new_key_pair(), new_key_pair().public_key},
-                                 Seconds(2));
-  participant.send(Message(MessageType::hello));
+  ParticipantChannel participant(channel.endpoint(),
+                                 ParticipantKeys{new_key_pair(), new_key_pair().public_key}, Seconds(2));
   check_nothing_comes(channel);
   CHECK(refusal_of(participant) == ExitCode::security);
 }
@@ -118,7 +126,8 @@ TEST_CASE("who does not begin with HELLO is cut off unheard", "[common][security
   CHECK(refusal_of(stranger) == ExitCode::participant_died);
 }
 
-TEST_CASE("strangers that say nothing are closed, the oldest first, and make room for a participant", "[common][security]") {
+TEST_CASE("strangers that say nothing are closed, the oldest first, and make room for a participant",
+          "[common][security]") {
   CouplerChannel channel(Listening{.endpoint = "tcp://127.0.0.1:*", .most_connections = 4}, some_run(), 0);
   std::vector<int> strangers;
   for (int i = 0; i < 12; ++i) strangers.push_back(plain_connection(channel.endpoint()));
@@ -155,11 +164,14 @@ TEST_CASE("a frame above the bound is told as such", "[common][security]") {
   participant.send(std::move(large));
   std::optional<Loss> how;
   for (int attempt = 0; attempt < 40 && !how; ++attempt)
-    if (const auto loss = channel.wait(Seconds(0.05), {}); const auto* lost = std::get_if<CouplerChannel::PeerLost>(&loss))
+    if (const auto loss = channel.wait(Seconds(0.05), {});
+        const auto* lost = std::get_if<CouplerChannel::PeerLost>(&loss))
       how = lost->how;
   CHECK(how == Loss::broke_framing);
 }
 
-TEST_CASE("a participant waits for a coupler that is not there yet, and gives up in time", "[common][security]") {
-  CHECK_THROWS_AS(ParticipantChannel("ipc:///tmp/fissura-nobody-listens-here", std::nullopt, Seconds(0.3)), Error);
+TEST_CASE("a participant waits for a coupler that is not there yet, and gives up in time",
+          "[common][security]") {
+  CHECK_THROWS_AS(ParticipantChannel("ipc:///tmp/fissura-nobody-listens-here", std::nullopt, Seconds(0.3)),
+                  Error);
 }
