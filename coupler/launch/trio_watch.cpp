@@ -68,6 +68,9 @@ void Trio::process_ended(Participant& each) {
   } else if (!end.signal && end.exit_code == static_cast<int>(ExitCode::out_of_memory)) {
     code = ExitCode::out_of_memory;
     sentence = "ran out of memory and ended with exit code 26";
+  } else if (!end.signal && each.view == CouplerView::absent && each.refusal) {
+    code = each.refusal->code();
+    sentence += " before it introduced itself" + refusal_in_words(each);
   } else if (const char* finding = end.signal ? nullptr : finding_about_the_coupler(end.exit_code)) {
     code = ExitCode::participant_unresponsive;
     sentence = finding;
@@ -77,12 +80,9 @@ void Trio::process_ended(Participant& each) {
     const bool not_executed = end.exit_code == 126 || end.exit_code == 127;
     if (not_executed)
       code = ExitCode::precondition;
-    else if (each.refusal)
-      code = each.refusal->code();
     else if (explains_itself(end.exit_code))
       code = static_cast<ExitCode>(end.exit_code);
     sentence += " before it introduced itself";
-    sentence += refusal_in_words(each);
   }
   fail(code, each, sentence);
 }

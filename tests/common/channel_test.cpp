@@ -110,6 +110,18 @@ TEST_CASE("a message of another run is refused", "[common][exchange]") {
   CHECK_THAT(wait_for<CouplerChannel::PeerFault>(coupler).reason, Catch::Contains("belongs to another run"));
 }
 
+TEST_CASE("a participant that fails over its WELCOME is heard, though it does not know its run", "[common][exchange]") {
+  const SocketFile file;
+  CouplerChannel coupler(file.endpoint(), some_run(), 3);
+  ParticipantChannel participant(file.endpoint());
+  participant.send(Message(MessageType::hello));
+  (void)wait_for<CouplerChannel::Received>(coupler);
+  participant.send(Message(MessageType::fail));
+  CHECK(wait_for<CouplerChannel::Received>(coupler).message.type == MessageType::fail);
+  participant.send(Message(MessageType::pressure));
+  CHECK_THAT(wait_for<CouplerChannel::PeerFault>(coupler).reason, Catch::Contains("belongs to another run"));
+}
+
 TEST_CASE("a message from before a resume is refused", "[common][exchange]") {
   const SocketFile file;
   CouplerChannel coupler(file.endpoint(), some_run(), 3);
