@@ -21,7 +21,7 @@ RunId some_run() {
 
 TrioOptions awaiting(const std::string& endpoint) {
   TrioOptions options;
-  options.endpoint = endpoint;
+  options.listening.endpoint = endpoint;
   options.deadlines = {20, 20, 20};
   return options;
 }
