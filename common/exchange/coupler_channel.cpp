@@ -182,11 +182,9 @@ class CouplerChannel::Implementation {
   }
 
   Event received(PeerNumber number, DecodedMessage decoded, const zmq::message_t& frame) {
-    // A participant does not know the run when it says HELLO, nor when it fails over its WELCOME.
-    const bool knows_no_run = decoded.message.type == MessageType::hello ||
-                              (decoded.message.type == MessageType::fail && decoded.stamp.run == RunId{});
-    peers_.at(number).check.check(decoded.stamp, decoded.message, knows_no_run ? decoded.stamp.run : run_,
-                                  knows_no_run ? decoded.stamp.epoch : epoch_);
+    const bool hello = decoded.message.type == MessageType::hello;
+    peers_.at(number).check.check(decoded.stamp, decoded.message, hello ? decoded.stamp.run : run_,
+                                  hello ? decoded.stamp.epoch : epoch_);
     return Received{number, std::move(decoded.message), proven_role(frame)};
   }
 
