@@ -98,12 +98,13 @@ void Trio::peer_lost(Participant& each, Loss how) {
          fmt::format("has not answered for {} s: it is stopped or cannot be reached",
                      transport_silence.count()));
   if (!each.process) fail(ExitCode::participant_died, each, "is gone: its connection broke");
+  // First: one that was killed while it was stopped still looks stopped for a moment.
+  if (each.process->wait(parting)) process_ended(each);
   if (each.process->stopped()) {
     if (options_.debug_attach)
       fail(ExitCode::participant_unresponsive, each, "was held for too long for the transport");
     fail(ExitCode::participant_unresponsive, each, "is stopped by a signal");
   }
-  if (each.process->wait(parting)) process_ended(each);
   fail(ExitCode::participant_unresponsive, each, "lives, but its connection was cut");
 }
 

@@ -81,7 +81,7 @@ PROCESS_ROWS = (
     Row("killed", {"do": "kill"}, 20, r"was killed by signal 9"),
     Row("segmentation fault", {"do": "segfault"}, 20, r"was killed by signal 11"),
     Row("abort", {"do": "abort"}, 20, r"was killed by signal 6"),
-    Row("leaves with success", {"do": "exit", "code": 0}, 20, r"ended early with the exit code of success"),
+    Row("leaves with success", {"do": "exit", "code": 0}, 20, r"ended early with the exit code of success|has ended, but its BYE did not come"),
     Row("leaves with a code", {"do": "exit", "code": 3}, 20, r"ended with exit code 3"),
     Row("uncaught exception", {"do": "throw"}, 70, r"injected exception"),
     Row("says it failed", {"do": "fail"}, 24, r"injected failure"),

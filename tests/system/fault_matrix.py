@@ -278,4 +278,6 @@ def main():
 
 if __name__ == "__main__":
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
+    # A signal with a handler is an ordinary one again in the programs started: under nohup SIGHUP would be ignored in all of them.
+    signal.signal(signal.SIGHUP, lambda *_: None)
     sys.exit(main())
