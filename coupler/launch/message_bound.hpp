@@ -14,7 +14,7 @@ namespace fissura::coupler {
 ///   N = integral of dA / (sqrt(3)/4 h^2)
 /// over the bands along fractures, both as given and as long as they can grow in the domain, over
 /// refinements, over where h grows by `gradation` per length from there, and over the rest at `far_size`.
-/// @returns 4 KiB for each element (about ten times what it takes), never less than 16 MiB
+/// @returns 4 KiB for each element (more than ten times what its state takes), never less than 16 MiB
 std::int64_t largest_frame(const Case& run_case);
 
 }  // namespace fissura::coupler

@@ -234,31 +234,27 @@ class Hostile(unittest.TestCase):
 
     def test_h7_ten_thousand_idle_connections(self):
         port = free_port()
-        with Run(*at(f"tcp://127.0.0.1:{port}", ENDLESS)) as run:
-            wait_for_history(run)
+        with Run(*at(f"tcp://127.0.0.1:{port}"), "--await", "network") as run:
+            peers = [connection(port)]
             worker = next(pid for pid in run.pids() if pathlib.Path(f"/proc/{pid}/exe").resolve() == COUPLER.resolve())
 
             def memory():
                 return int(pathlib.Path(f"/proc/{worker}/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
             before = most = memory()
-            open_ones, made = [], 0
-            for _ in range(10000):
-                try:
-                    open_ones.append(connection(port, 1))
-                    made += 1
-                    if made % 200 == 0:
-                        most = max(most, memory())
-                    if len(open_ones) > 500:
-                        open_ones.pop(0).close()
-                except OSError:
-                    break
-            self.assertIsNone(run.process.poll(), "the run was over before all had come")
-            print(f"idle connections: {made}, memory +{(most - before) / 2**20:.1f} MiB")
+            for number in range(10000):
+                peers.append(connection(port))
+                if len(peers) > 500:
+                    peers.pop(0).close()
+                if number % 100 == 0:
+                    most = max(most, memory())
+            print(f"10000 idle connections: memory +{(most - before) / 2**20:.1f} MiB")
             self.assertLess(most - before, 50 * 2**20)
-            run.process.terminate()
-            run.wait()
-            for peer in open_ones:
+            network = self.participant("network", port)
+            self.check_undisturbed(run, "there are more than 64 connections")
+            self.assertEqual(network.wait(10), 0)
+            network.stderr.close()
+            for peer in peers:
                 peer.close()
 
     def test_h8_an_announced_giant_is_not_believed(self):
