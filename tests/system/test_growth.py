@@ -37,7 +37,7 @@ class Broadcast(unittest.TestCase):
     def test_acknowledged_but_not_taken_over(self):
         with Run("--network", f"/usr/bin/python3 {FAKES}/forgetful_flow_solver.py", *GROWING) as run:
             self.assertEqual(run.wait(), 22, run.errors)
-            self.assertIn("network has another fracture network after revision 3", run.last_line)
+            self.assertIn("network sent ACKNOWLEDGE, which is made for topology revision 2, the network has 3", run.last_line)
 
     def test_a_relay_that_changes_nothing_changes_no_bit(self):
         histories = []
