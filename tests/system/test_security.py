@@ -3,6 +3,7 @@
 import os
 import pathlib
 import shutil
+import signal
 import socket
 import subprocess
 import tempfile
@@ -301,8 +302,27 @@ class Hostile(unittest.TestCase):
             self.assertEqual(network.wait(10), 0)
             network.stderr.close()
 
+    def test_a_run_whose_awaited_participant_died_goes_on_with_another(self):
+        port = free_port()
+        with Keys() as keys, Run(*at(f"tcp://127.0.0.1:{port}", LONGER), "--keys", keys.path, "--await", "structure",
+                                 "--set", "checkpoint.intervals=1") as run:
+            mine = keys.copy("structure.secret", "coupler.public")
+            first = self.participant("structure", port, mine)
+            while not list((run.directory / "checkpoints").glob("*/MANIFEST.json")):
+                self.assertIsNone(run.process.poll())
+                time.sleep(0.01)
+            first.kill()
+            first.communicate()
+            self.assertEqual(run.wait(), 20, run.errors)
+            self.assertIn("structure is gone: its connection broke", run.last_line)
+            second = self.participant("structure", port, mine)
+            resumed = subprocess.run([COUPLER, "resume", run.directory], capture_output=True, text=True, timeout=60)
+            self.assertEqual(resumed.returncode, 0, resumed.stderr)
+            second.communicate(timeout=10)
+            self.assertEqual(second.returncode, 0)
+            self.assertTrue(segments(run) == self.clean[LONGER])
+
     def test_a_socket_left_behind_is_removed(self):
-        import signal
         with Run(*ENDLESS) as run:
             run.wait_until_running()
             os.kill(run.pids("coupler")[0], signal.SIGKILL)
