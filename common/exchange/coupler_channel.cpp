@@ -52,6 +52,8 @@ class CouplerChannel::Implementation {
         epoch_(epoch) {
     set_common_options(socket_, listening.largest_frame);
     socket_.set(zmq::sockopt::ipv6, listening.endpoint.find('[') != std::string::npos);
+    // A connection for which there is no room in the queue tries again only after a second.
+    socket_.set(zmq::sockopt::backlog, 1024);
     socket_.set(zmq::sockopt::router_mandatory, true);
     socket_.set(zmq::sockopt::router_handover, false);
     if (key_check_) {

@@ -23,7 +23,8 @@ class StampCheck {
     if (stamp.epoch != epoch && !knows_no_run)
       throw ProtocolError(fmt::format("{} belongs to epoch {}, this is epoch {}", label, stamp.epoch, epoch));
     if (stamp.sequence > expected_)
-      throw ProtocolError(fmt::format("{} message(s) before {} were lost", stamp.sequence - expected_, label));
+      throw ProtocolError(
+          fmt::format("{} message(s) before {} were lost", stamp.sequence - expected_, label));
     if (stamp.sequence < expected_) throw ProtocolError(label + " came twice");
     ++expected_;
   }

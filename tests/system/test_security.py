@@ -305,7 +305,7 @@ class Hostile(unittest.TestCase):
     def test_a_run_whose_awaited_participant_died_goes_on_with_another(self):
         port = free_port()
         with Keys() as keys, Run(*at(f"tcp://127.0.0.1:{port}", LONGER), "--keys", keys.path, "--await", "structure",
-                                 "--set", "checkpoint.intervals=1") as run:
+                                 "--set", "checkpoint.intervals=5") as run:
             mine = keys.copy("structure.secret", "coupler.public")
             first = self.participant("structure", port, mine)
             while not list((run.directory / "checkpoints").glob("*/MANIFEST.json")):
