@@ -235,7 +235,9 @@ class Hostile(unittest.TestCase):
 
     def test_h7_ten_thousand_idle_connections(self):
         port = free_port()
-        with Run(*at(f"tcp://127.0.0.1:{port}"), "--await", "network") as run:
+        # Opening them takes a busy machine longer than the run would wait for its network.
+        patience = ("--set", 'deadlines.join="120 s"')
+        with Run(*at(f"tcp://127.0.0.1:{port}"), *patience, "--await", "network") as run:
             peers = [connection(port)]
             worker = next(pid for pid in run.pids() if pathlib.Path(f"/proc/{pid}/exe").resolve() == COUPLER.resolve())
 
