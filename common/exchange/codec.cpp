@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "common/errors.hpp"
+#include "common/exact_json.hpp"
 #include "common/hash.hpp"
 
 namespace fissura {
@@ -26,7 +27,7 @@ Array declared_array(const nlohmann::json& declaration, std::span<const std::byt
   Array array;
   declaration.at("name").get_to(array.name);
   declaration.at("dtype").get_to(array.dtype);
-  declaration.at("shape").get_to(array.shape);
+  array.shape = exactly<std::vector<std::uint64_t>>(declaration.at("shape"));
   declaration.at("unit").get_to(array.unit);
   std::size_t expected = item_size(array.dtype);
   for (const std::uint64_t extent : array.shape) {

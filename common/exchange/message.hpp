@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "common/exact_json.hpp"
+
 /// What travels between coupler and participants; the layout in bytes is docs/protocol.md.
 namespace fissura {
 
@@ -91,7 +93,7 @@ class Message {
   template <typename T>
   [[nodiscard]] T value(std::string_view key) const {
     try {
-      return body.at(std::string(key)).get<T>();
+      return exactly<T>(body.at(std::string(key)));
     } catch (const nlohmann::json::exception&) {
       throw_missing(key);
     }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "common/errors.hpp"
+#include "common/exact_json.hpp"
 
 namespace fissura {
 
@@ -41,18 +42,18 @@ json to_json(const PerforationNode& perforation) {
 
 template <typename Enumeration>
 Enumeration enumerator(const json& entry, const char* key, int last) {
-  const int number = entry.at(key).get<int>();
+  const int number = exactly<int>(entry.at(key));
   if (number < 0 || number > last)
     throw ProtocolError(fmt::format("insertion: {} must lie in [0, {}], found {}", key, last, number));
   return static_cast<Enumeration>(number);
 }
 
 void from_json(const json& entry, NetworkNode& node) {
-  node.id = entry.at("id").get<NodeId>();
+  node.id = exactly<NodeId>(entry.at("id"));
   node.x = entry.at("x").get<double>();
   node.y = entry.at("y").get<double>();
   node.lumped_length = entry.at("lumped_length").get<double>();
-  node.fracture = entry.at("fracture").get<FractureId>();
+  node.fracture = exactly<FractureId>(entry.at("fracture"));
   node.role = enumerator<NodeRole>(entry, "role", static_cast<int>(NodeRole::perforation));
   node.exposure_time = entry.at("exposure_time").get<double>();
   node.saturated = entry.value("saturated", false);
@@ -61,22 +62,22 @@ void from_json(const json& entry, NetworkNode& node) {
 }
 
 void from_json(const json& entry, NetworkSegment& segment) {
-  segment.id = entry.at("id").get<SegmentId>();
-  segment.node_a = entry.at("node_a").get<NodeId>();
-  segment.node_b = entry.at("node_b").get<NodeId>();
-  segment.fracture = entry.at("fracture").get<FractureId>();
+  segment.id = exactly<SegmentId>(entry.at("id"));
+  segment.node_a = exactly<NodeId>(entry.at("node_a"));
+  segment.node_b = exactly<NodeId>(entry.at("node_b"));
+  segment.fracture = exactly<FractureId>(entry.at("fracture"));
   segment.kind = enumerator<SegmentKind>(entry, "kind", static_cast<int>(SegmentKind::natural));
   segment.length = entry.at("length").get<double>();
 }
 
 void from_json(const json& entry, NodeParent& pair) {
-  pair.node = entry.at("node").get<NodeId>();
-  pair.parent = entry.at("parent").get<NodeId>();
+  pair.node = exactly<NodeId>(entry.at("node"));
+  pair.parent = exactly<NodeId>(entry.at("parent"));
 }
 
 void from_json(const json& entry, PerforationNode& perforation) {
   perforation.name = entry.at("name").get<std::string>();
-  perforation.node = entry.at("node").get<NodeId>();
+  perforation.node = exactly<NodeId>(entry.at("node"));
 }
 
 template <typename T>
@@ -108,12 +109,12 @@ json insertion_to_json(const Insertion& insertion) {
 Insertion insertion_from_json(const json& object) {
   try {
     Insertion insertion;
-    insertion.revision = object.at("revision").get<std::uint64_t>();
+    insertion.revision = exactly<std::uint64_t>(object.at("revision"));
     insertion.updated_nodes = list_from_json<NetworkNode>(object.at("updated_nodes"));
     insertion.new_nodes = list_from_json<NetworkNode>(object.at("new_nodes"));
     insertion.parents = list_from_json<NodeParent>(object.at("parents"));
     insertion.new_segments = list_from_json<NetworkSegment>(object.at("new_segments"));
-    insertion.removed_segments = object.at("removed_segments").get<std::vector<SegmentId>>();
+    insertion.removed_segments = exactly<std::vector<SegmentId>>(object.at("removed_segments"));
     insertion.new_perforations = list_from_json<PerforationNode>(object.at("new_perforations"));
     return insertion;
   } catch (const json::exception& fault) {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "common/errors.hpp"
+#include "common/exact_json.hpp"
 #include "common/hash.hpp"
 
 namespace fissura::coupler {
@@ -99,15 +100,15 @@ Manifest manifest_from_text(const std::string& text) {
     json.at("case_hash").get_to(manifest.provenance.case_hash);
     json.at("program").get_to(manifest.provenance.program);
     json.at("participants").get_to(manifest.provenance.participants);
-    json.at("threads").get_to(manifest.provenance.threads);
-    json.at("epoch").get_to(manifest.epoch);
-    json.at("interval").get_to(manifest.interval);
+    manifest.provenance.threads = exactly<decltype(manifest.provenance.threads)>(json.at("threads"));
+    manifest.epoch = exactly<decltype(manifest.epoch)>(json.at("epoch"));
+    manifest.interval = exactly<decltype(manifest.interval)>(json.at("interval"));
     json.at("time").get_to(manifest.time);
-    json.at("revision").get_to(manifest.revision);
+    manifest.revision = exactly<decltype(manifest.revision)>(json.at("revision"));
     json.at("topology_hash").get_to(manifest.topology_hash);
     for (const auto& [name, file] : json.at("files").items()) {
       if (!is_plain_word(name)) refuse(fmt::format("\"{}\" is no name of a state", name));
-      manifest.files[name] = {file.at("bytes").get<std::uint64_t>(), file.at("sha256").get<std::string>()};
+      manifest.files[name] = {exactly<std::uint64_t>(file.at("bytes")), file.at("sha256").get<std::string>()};
     }
     return manifest;
   } catch (const nlohmann::json::exception& fault) {

@@ -111,7 +111,7 @@ PreparedRun read_resume_file(const std::filesystem::path& directory) {
   try {
     const json whole = json::parse(text.str());
     const json& content = whole.at("content");
-    if (whole.at("sha256").get<std::string>() != hash_of(content))
+    if (whole.at("sha256").get<std::string>() != hash_of(content) || text.str() != whole.dump(1) + "\n")
       throw Error(ExitCode::checkpoint_unusable,
                   fmt::format("{} is damaged: its hash does not fit", file.string()));
     if (content.at("schema").get<int>() != schema)

@@ -14,6 +14,7 @@
 #include "common/hash.hpp"
 #include "coupler/checkpoint/checkpoint_store.hpp"
 #include "coupler/cli/apart.hpp"
+#include "coupler/cli/prepared_run.hpp"
 #include "coupler/cli/verify_tables.hpp"
 #include "coupler/record/checked_file.hpp"
 #include "coupler/record/checksums.hpp"
@@ -67,6 +68,7 @@ class Verification {
 
   std::vector<Finding> run() {
     verify_description();
+    verify_resume_file();
     verify_index();
     verify_segments();
     verify_checksums();
@@ -105,6 +107,18 @@ class Verification {
       damaged("run.json", fault.what());
     } catch (const nlohmann::json::exception& fault) {
       damaged("run.json", fmt::format("run.json or effective_case.json cannot be read: {}", fault.what()));
+    }
+  }
+
+  /// What the run is taken up with, beside its checkpoints.
+  void verify_resume_file() {
+    const std::string name = "resume.json";
+    if (!fs::exists(directory_ / name)) return;
+    try {
+      (void)read_resume_file(directory_);
+      sound(name, "closed by its hash");
+    } catch (const Error& fault) {
+      damaged(name, fault.what());
     }
   }
 

@@ -100,6 +100,7 @@ void History::resume(const std::filesystem::path& directory, const TableMarks& m
   if (!history || !ledger)
     throw Error(ExitCode::checkpoint_unusable, "the checkpoint knows nothing of history.csv and ledger.csv");
   tables_.emplace(Tables{std::move(*history), std::move(*ledger)});
+  write_whole_file(directory / "columns.json", columns_json());
   values_ = read_number_table(directory / history_name, values_.size());
   probes_->resume(directory, marks);
   archive.get(last_);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "common/errors.hpp"
+#include "common/exact_json.hpp"
 #include "coupler/record/csv_cell.hpp"
 
 namespace fissura::coupler {
@@ -46,9 +47,9 @@ Remeshing remeshing_from_json(const nlohmann::json& object) {
     entry.fracture = object.at("fracture").get<std::string>();
     entry.x = number(object, "x");
     entry.y = number(object, "y");
-    entry.elements_removed = object.at("elements_removed").get<std::uint64_t>();
-    entry.elements_made = object.at("elements_made").get<std::uint64_t>();
-    entry.elements_untouched = object.at("elements_untouched").get<std::uint64_t>();
+    entry.elements_removed = exactly<std::uint64_t>(object.at("elements_removed"));
+    entry.elements_made = exactly<std::uint64_t>(object.at("elements_made"));
+    entry.elements_untouched = exactly<std::uint64_t>(object.at("elements_untouched"));
     entry.hash_before = object.at("hash_before").get<std::string>();
     entry.hash_after = object.at("hash_after").get<std::string>();
     entry.smallest_angle = number(object, "smallest_angle");

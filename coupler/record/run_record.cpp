@@ -177,6 +177,7 @@ void RunRecord::resume(const RunDescription& description, const std::vector<std:
   meeting_ledger_.resume(marks, parts);
   segments_.resume(marks, parts);
   parts.end();
+  write_whole_file(directory() / "effective_case.json", description.effective_case.dump(2) + "\n");
   started_ = started_of(run_json_);
   write_whole_file(directory() / run_name, run_json_);
   for (const char* name : {"fields.xdmf", "fractures.xdmf", "joints.xdmf"}) remove_file(directory() / name);

@@ -38,7 +38,9 @@ CsvColumns::CsvColumns(const std::filesystem::path& file) : file_(file) {
     std::vector<std::string> row = split(line);
     if (names_.empty()) {
       names_ = std::move(row);
-      for (const std::string& name : names_) cells_[name];
+      for (const std::string& name : names_)
+        if (!cells_.try_emplace(name).second)
+          throw InputError(fmt::format("{}:1: the column {} is there twice", file.string(), name));
       continue;
     }
     if (row.size() != names_.size())

@@ -57,7 +57,7 @@ void require_revision(const Message& message, const FractureNetwork& network) {
 template <typename T>
 T entry(const nlohmann::json& object, const char* key) {
   try {
-    return object.at(key).get<T>();
+    return exactly<T>(object.at(key));
   } catch (const nlohmann::json::exception&) {
     throw ProtocolError(fmt::format("entry {} is missing or of another type", key));
   }

@@ -103,3 +103,20 @@ TEST_CASE("an insertion comes back from JSON with every bit", "[common][fracture
   broken["new_nodes"][0].erase("role");
   CHECK_THROWS_AS(insertion_from_json(broken), ProtocolError);
 }
+
+TEST_CASE("an id that is no whole number in range is refused, not rounded", "[common][fracture_network]") {
+  const nlohmann::json sound = insertion_to_json(second());
+  REQUIRE_NOTHROW(insertion_from_json(sound));
+  for (const char* number : {"6.55556e+19", "2.7", "2.0", "-1", "1e300", "\"2\"", "null", "true"}) {
+    INFO(number);
+    nlohmann::json damaged = sound;
+    damaged["new_nodes"][0]["id"] = nlohmann::json::parse(number);
+    CHECK_THROWS_AS(insertion_from_json(damaged), ProtocolError);
+    damaged = sound;
+    damaged["removed_segments"] = {nlohmann::json::parse(number)};
+    CHECK_THROWS_AS(insertion_from_json(damaged), ProtocolError);
+    damaged = sound;
+    damaged["revision"] = nlohmann::json::parse(number);
+    CHECK_THROWS_AS(insertion_from_json(damaged), ProtocolError);
+  }
+}

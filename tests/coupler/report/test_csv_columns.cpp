@@ -39,3 +39,9 @@ TEST_CASE("numbers that are not finite are numbers, words are not", "[coupler][r
   CHECK_THROWS_AS(table("x\n1\n").numbers("y"), InputError);
   CHECK_THROWS_WITH(table("x,y\n1,2\n1\n"), Catch::Contains("table.csv:3") && Catch::Contains("2 cells"));
 }
+
+TEST_CASE("a table with a column that is there twice is refused", "[coupler][report]") {
+  const sample::TemporaryDirectory folder;
+  std::ofstream(folder.path() / "t.csv") << "time,a,a\n1,2,3\n";
+  CHECK_THROWS_AS(CsvColumns(folder.path() / "t.csv"), InputError);
+}
