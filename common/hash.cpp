@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/hash.hpp"
 
+#include <libdeflate.h>
 #include <openssl/evp.h>
-#include <zlib.h>
 
 #include <array>
 #include <fstream>
@@ -43,10 +43,9 @@ class Sha256 {
 }  // namespace
 
 std::uint32_t crc32(std::span<const std::byte> bytes, std::uint32_t start) {
-  // zlib takes a null pointer for the wish to start anew.
+  // libdeflate takes a null pointer for the wish to start anew.
   if (bytes.empty()) return start;
-  return static_cast<std::uint32_t>(
-      ::crc32_z(start, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
+  return libdeflate_crc32(start, bytes.data(), bytes.size());
 }
 
 std::string sha256(std::span<const std::byte> bytes) {

@@ -9,7 +9,7 @@
 
 namespace fissura {
 
-/// CRC-32 (zlib polynomial) of `bytes`, continuing from `start` (0 for a new sum).
+/// CRC-32 (as zlib and gzip compute it) of `bytes`, continuing from `start` (0 for a new sum).
 std::uint32_t crc32(std::span<const std::byte> bytes, std::uint32_t start = 0);
 
 /// SHA-256 of `bytes` as 64 lower-case hexadecimal digits.

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstring>
 
 #include "common/errors.hpp"
+#include "common/exchange/value_check.hpp"
 
 namespace fissura {
 
@@ -96,10 +96,9 @@ const Array& Message::array(std::string_view array_name, std::string_view dtype)
 
 std::vector<double> Message::numbers(std::string_view array_name) const {
   std::vector<double> values = values_of<double>(array(array_name, "float64"));
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (!std::isfinite(values[i]))
-      throw ValueError(fmt::format("{} interval {}: {}[{}] is {} (of {} values)", fissura::name(type), interval,
-                                   array_name, i, values[i], values.size()));
+  if (const auto i = first_not_finite(values))
+    throw ValueError(fmt::format("{} interval {}: {}[{}] is {} (of {} values)", fissura::name(type), interval,
+                                 array_name, *i, values[*i], values.size()));
   return values;
 }
 

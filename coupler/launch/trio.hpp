@@ -161,7 +161,7 @@ class Trio {
   nlohmann::json run_case_;
   Start start_ = Start::fresh;
   std::string run_id_;
-  Clock::time_point next_keep_alive_{};
+  Clock::time_point next_keep_alive_{}, next_stop_watch_{};
 };
 
 }  // namespace fissura::coupler

@@ -52,6 +52,9 @@ const char* finding_about_the_coupler(int exit_code) {
 
 void Trio::watch_processes() {
   for (const std::size_t number : deaths_.ended()) process_ended(participants_[number]);
+  const Clock::time_point now = Clock::now();
+  if (now < next_stop_watch_) return;
+  next_stop_watch_ = now + std::chrono::duration_cast<Clock::duration>(tick);
   for (Participant& each : participants_) watch_stop(each);
 }
 

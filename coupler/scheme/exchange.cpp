@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "common/errors.hpp"
+#include "common/exchange/value_check.hpp"
 #include "common/fracture_network/insertion_json.hpp"
 
 namespace fissura::coupler {
@@ -26,25 +27,23 @@ constexpr double fraction_slack = 1e-9;
 std::vector<double> numbers_in(const Message& message, const char* field, const FractureNetwork& network,
                                const Range& range) {
   std::vector<double> values = message.numbers(field, network.nodes().size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (values[i] < range.minimum || values[i] > range.maximum) {
-      const NetworkNode& node = network.nodes()[i];
-      throw ValueError(fmt::format("{} of node {} at ({:g}, {:g}) m is {:g}, allowed is [{:g}, {:g}]", field,
-                                   node.id, node.x, node.y, values[i], range.minimum, range.maximum));
-    }
+  if (const auto i = first_outside(values, range.minimum, range.maximum)) {
+    const NetworkNode& node = network.nodes()[*i];
+    throw ValueError(fmt::format("{} of node {} at ({:g}, {:g}) m is {:g}, allowed is [{:g}, {:g}]", field,
+                                 node.id, node.x, node.y, values[*i], range.minimum, range.maximum));
+  }
   return values;
 }
 
 std::vector<double> arm_apertures_in(const Message& message, const char* field,
                                      const FractureNetwork& network) {
   std::vector<double> values = message.numbers(field, network.segments().size());
-  for (std::size_t s = 0; s < values.size(); ++s)
-    if (values[s] < possible_aperture.minimum || values[s] > possible_aperture.maximum) {
-      const NetworkSegment& segment = network.segments()[s];
-      throw ValueError(fmt::format(
-          "{} of segment {} between nodes {} and {} is {:g}, allowed is [{:g}, {:g}]", field, segment.id,
-          segment.node_a, segment.node_b, values[s], possible_aperture.minimum, possible_aperture.maximum));
-    }
+  if (const auto s = first_outside(values, possible_aperture.minimum, possible_aperture.maximum)) {
+    const NetworkSegment& segment = network.segments()[*s];
+    throw ValueError(fmt::format("{} of segment {} between nodes {} and {} is {:g}, allowed is [{:g}, {:g}]",
+                                 field, segment.id, segment.node_a, segment.node_b, values[*s],
+                                 possible_aperture.minimum, possible_aperture.maximum));
+  }
   return values;
 }
 
