@@ -10,6 +10,7 @@
 #include <new>
 #include <utility>
 
+#include "common/exchange/array_units.hpp"
 #include "common/exchange/held_signals.hpp"
 #include "common/exchange/progress.hpp"
 #include "common/exchange/stack_dump.hpp"
@@ -160,6 +161,7 @@ void Session::take(Message message) {
   const Word word = word_of(message);
   const ParticipantReaction& rule = reaction(role_, state_, word);
   if (const auto* fault = std::get_if<ProtocolFault>(&rule)) refuse(word, *fault);
+  if (const std::optional<std::string> fault = wrong_unit(message)) throw Error(ExitCode::mismatch, *fault);
   const auto& step = std::get<ParticipantStep>(rule);
   state_ = state_during(step.action, state_);
   state_ = state_after(step, carry_out(step.action, std::move(message)));

@@ -168,6 +168,16 @@ bool poison(Frames& message, const std::string& entry, double value) {
   return true;
 }
 
+bool relabel(Frames& message, const std::string& field, const std::string& unit) {
+  OpenedMessage opened(message);
+  const auto [declaration, frame] = opened.find(field);
+  if (frame == nullptr) return false;
+  (*declaration)["unit"] = unit;
+  opened.write_body();
+  opened.close();
+  return true;
+}
+
 bool oversize(Frames& message, std::uint64_t bytes) {
   OpenedMessage opened(message);
   if (!opened.readable() || bytes <= message.back().size()) return false;

@@ -29,6 +29,9 @@ bool restamp(Frames& message, StampField stamp, std::optional<std::uint64_t> val
 bool poison(Frames& message, const std::string& field, std::uint64_t index, double value);
 bool poison(Frames& message, const std::string& entry, double value);
 
+/// Declares the array `field` in another unit.
+bool relabel(Frames& message, const std::string& field, const std::string& unit);
+
 /// Fills the last frame up with zeros to `bytes`.
 bool oversize(Frames& message, std::uint64_t bytes);
 

@@ -88,6 +88,10 @@ void read_details(input::TableReader& table, MessageFault& fault) {
     case MessageAction::poison:
       read_poison(table, fault);
       return;
+    case MessageAction::relabel:
+      fault.field = table.text("field");
+      fault.unit = table.text("unit");
+      return;
     case MessageAction::replay:
       fault.back = static_cast<std::uint64_t>(table.count("back", input::at_least(1), 1));
       fault.as = table.choice("as", replay_kinds, fault.as);

@@ -27,10 +27,11 @@ enum class MessageAction {
   flip,       ///< bit `bit` of frame `frame` is inverted
   resize,     ///< array `field` gets `length` values, zeros if there were fewer; the checksum is made to fit
   restamp,    ///< envelope field `stamp` becomes `value`, or changes by `shift`; the checksum is made to fit
-  poison,  ///< value `index` of array `field`, or body entry `entry`, becomes `value`; the checksum is made
-           ///< to fit
-  replay,  ///< the message `back` messages before it in its direction goes instead, as `as` says
-  cut,     ///< both connections end; the message is lost
+  poison,   ///< value `index` of array `field`, or body entry `entry`, becomes `value`; the checksum is made
+            ///< to fit
+  relabel,  ///< array `field` is declared in `unit`; the checksum is made to fit
+  replay,   ///< the message `back` messages before it in its direction goes instead, as `as` says
+  cut,      ///< both connections end; the message is lost
   half_open,  ///< nothing more gets through in this direction
   oversize,   ///< the last frame grows to `bytes` bytes; the checksum is made to fit
   slow,       ///< from now on this direction carries `bytes_per_second`
@@ -56,6 +57,7 @@ inline constexpr std::array message_actions{Named<MessageAction>{"drop", Message
                                             Named<MessageAction>{"resize", MessageAction::resize},
                                             Named<MessageAction>{"restamp", MessageAction::restamp},
                                             Named<MessageAction>{"poison", MessageAction::poison},
+                                            Named<MessageAction>{"relabel", MessageAction::relabel},
                                             Named<MessageAction>{"replay", MessageAction::replay},
                                             Named<MessageAction>{"cut", MessageAction::cut},
                                             Named<MessageAction>{"half_open", MessageAction::half_open},
@@ -87,6 +89,7 @@ struct MessageFault {
   std::uint64_t bit = 0;
   std::uint64_t length = 0;
   std::string field;  ///< name of an array
+  std::string unit;
   std::string entry;  ///< of the body, as a JSON pointer: "/ledger/injected"
   std::uint64_t index = 0;
   double value = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupler/faults/relay.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "common/errors.hpp"
@@ -90,7 +92,8 @@ std::string Relay::strike(const MessageFault& fault, Direction direction, std::v
                           double now) {
   Line& here = line(direction);
   std::string done = name_of(fault.action, message_actions);
-  if (fault.action == MessageAction::restamp) done += " " + name_of(fault.stamp, stamp_fields);
+  if (fault.action == MessageAction::restamp)
+    done = fmt::format("{} {}", done, name_of(fault.stamp, stamp_fields));
   if (outgoing.empty()) return done + ": nothing left";
   switch (fault.action) {
     case MessageAction::drop:
@@ -137,6 +140,8 @@ bool Relay::forge(const MessageFault& fault, const Line& line, Frames& message) 
       return resize(message, fault.field, fault.length);
     case MessageAction::restamp:
       return restamp(message, fault.stamp, fault.stamp_value, fault.shift);
+    case MessageAction::relabel:
+      return relabel(message, fault.field, fault.unit);
     case MessageAction::oversize:
       return oversize(message, fault.bytes.value_or(0));
     case MessageAction::poison:

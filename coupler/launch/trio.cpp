@@ -7,6 +7,7 @@
 #include <cstring>
 #include <utility>
 
+#include "common/exchange/array_units.hpp"
 #include "common/log.hpp"
 #include "coupler/launch/executable_check.hpp"
 #include "coupler/launch/signals.hpp"
@@ -246,6 +247,8 @@ void Trio::take(Participant& each, CouplerView asked_in, Message&& answer) {
     fail(ExitCode::protocol_violation, each,
          fmt::format("sent {}, which is made for topology revision {}, the network has {}", name(answer.type),
                      answer.revision, each.revision));
+  if (const std::optional<std::string> fault = wrong_unit(answer))
+    fail(ExitCode::mismatch, each, "sent " + *fault);
   each.answer = std::move(answer);
 }
 

@@ -97,7 +97,7 @@ const std::vector<FrameFault> frame_faults{
 using MessageFault = std::pair<const char*, std::function<void(Random&, Sent&)>>;
 const std::vector<MessageFault> message_faults{
     {"of another run", [](Random& random, Sent& sent) { sent.stamp.run[below(random, 16)] ^= 1; }},
-    {"of another epoch", [](Random& random, Sent& sent) { sent.stamp.epoch += 1 + random() % 3; }},
+    {"of another epoch", [](Random& random, Sent& sent) { sent.stamp.epoch += static_cast<std::uint32_t>(1 + random() % 3); }},
     {"of another number", [](Random& random, Sent& sent) { sent.stamp.sequence += 1 + random() % 5; }},
     {"of an earlier number", [](Random&, Sent& sent) { sent.stamp.sequence -= 1; }},
     {"for another topology", [](Random& random, Sent& sent) { sent.message.revision += 1 + random() % 3; }},

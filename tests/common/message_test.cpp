@@ -4,7 +4,9 @@
 #include <limits>
 
 #include "common/errors.hpp"
+#include "common/exchange/array_units.hpp"
 #include "common/exchange/codec.hpp"
+#include "common/seismicity/source_record.hpp"
 
 using namespace fissura;
 
@@ -123,6 +125,31 @@ TEST_CASE("an array of another name, type or length is refused", "[common][excha
   CHECK_THROWS_WITH(message.numbers("elements"), Catch::Contains("must be float64, found uint64"));
   CHECK_THROWS_WITH(message.numbers("pressure", 5), Catch::Contains("has 4 values, expected 5"));
   CHECK_THROWS_WITH(message.value<std::string>("well_pressure"), Catch::Contains("well_pressure"));
+}
+
+TEST_CASE(
+    "an array in another unit than the protocol gives its name is told of with field, expected and found",
+    "[common][exchange]") {
+  Message message(MessageType::pressure);
+  message.interval = 7;
+  message.add("pressure", "Pa", std::vector<double>{1e6});
+  message.add("temperature", "K", std::vector<double>{300});
+  message.add_bytes("state", {});
+  CHECK_FALSE(wrong_unit(message));
+  message.add("filled", "%", std::vector<double>{100});
+  CHECK(wrong_unit(message) == "PRESSURE interval 7: filled must be in \"1\", found \"%\"");
+  message.arrays[0].unit = "MPa";
+  CHECK(wrong_unit(message) == "PRESSURE interval 7: pressure must be in \"Pa\", found \"MPa\"");
+}
+
+TEST_CASE("records of seismic sources have the units of the protocol", "[common][exchange]") {
+  Message message(MessageType::response);
+  message.arrays = arrays_of({SourceRecord{}});
+  REQUIRE_FALSE(message.arrays.empty());
+  for (const Array& array : message.arrays) {
+    INFO(array.name);
+    CHECK(unit_of_array(array.name) == array.unit);
+  }
 }
 
 TEST_CASE("arrays of a network without nodes survive the way", "[common][exchange]") {

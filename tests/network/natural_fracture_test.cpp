@@ -172,7 +172,7 @@ TEST_CASE("natural fractures: the ledger closes through fifty random connections
   int halvings = 0, most_iterations = 0;
   for (int connection = 0; connection < 50; ++connection) {
     std::vector<std::size_t> from;
-    for (unsigned k = random() % 3 + 1; k > 0; --k) from.push_back(random() % setup.count());
+    for (auto k = random() % 3 + 1; k > 0; --k) from.push_back(random() % setup.count());
     NaturalFracture natural;
     natural.joint_compliance = std::array{0.0, 1e-12, 1e-11, 1e-10}[random() % 4];
     natural.residual_aperture = random() % 4 == 0 ? 0 : 5e-5;

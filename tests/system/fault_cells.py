@@ -336,6 +336,8 @@ def message_cells():
                     # A pressure far below zero, an aperture of minus a thousand kilometres, a filling or a compliance below zero.
                     yield Cell(f"value on the way: {name}", f"{place} {field}", End("22|23", "structure|network|coupler", field.split("_")[0]),
                                faults=({**words, "do": "poison", "field": field, "index": 0, "value": Bare(value)},), needs=needs)
+                yield Cell("array in another unit", f"{place} {field}", End(13, "structure|network|coupler", f'{field} must be in "'),
+                           faults=({**words, "do": "relabel", "field": field, "unit": "furlong"},), needs=needs)
                 yield Cell("array of another length", f"{place} {field}", End(22, "structure|network|coupler", ""),
                            faults=({**words, "do": "resize", "field": field, "length": 1},), needs=needs)
 

@@ -148,6 +148,10 @@ TEST_CASE("forged messages carry a checksum that fits, so that only what they sa
   resize.field = "pressure";
   resize.length = 4;
   CHECK(decoded(second(resize)).message.numbers("pressure") == std::vector{1e6, 2e6, 3e6, 0.0});
+  MessageFault relabel = at(2, MessageAction::relabel);
+  relabel.field = "pressure";
+  relabel.unit = "MPa";
+  CHECK(decoded(second(relabel)).message.arrays.at(0).unit == "MPa");
   MessageFault oversize = at(2, MessageAction::oversize);
   oversize.bytes = 1000;
   CHECK(second(oversize)[2].size() == 1000);

@@ -166,7 +166,7 @@ MeshChange tear(Mesh& mesh, const Point& centre) {
   change.touched_nodes.assign(touched.begin(), touched.end());
   change.new_units = {static_cast<UnitIndex>(mesh.units.size())};
   change.new_vertices = {static_cast<VertexIndex>(mesh.vertices.size())};
-  mesh.vertices.push_back({mesh.position[node], change.new_units, node});
+  mesh.vertices.push_back({mesh.position[node], change.new_units, node, {}});
   mesh.units.push_back({node, copy, {0, 1}, 1, change.new_vertices.front(), 0});
   return change;
 }

@@ -94,7 +94,7 @@ TEST_CASE("body: at a corner of two displaced sides each gives its normal compon
 TEST_CASE("body: a fracture that reaches a displaced side is refused by name", "[structure][dynamics]") {
   Case settings = shale_case();
   settings.boundary.south = {BoundaryKind::displacement, {0, 0}, 0};
-  settings.fractures.push_back({"slit", FractureKind::open, {}, 0, 0, 0, 0});
+  settings.fractures.push_back({.name = "slit", .kind = FractureKind::open, .points = {}, .set = {}});
   Mesh mesh = mesh_with_line(grid, 2.5);
   mesh.lines = settings.fractures;
   CHECK_NOTHROW(build_body(mesh, settings));

@@ -24,7 +24,7 @@ struct Lines {
   VertexIndex add(const std::vector<Point>& points) {
     const auto first = static_cast<VertexIndex>(mesh.vertices.size());
     for (const Point& point : points) {
-      mesh.vertices.push_back({point, {}, static_cast<NodeIndex>(mesh.position.size())});
+      mesh.vertices.push_back({point, {}, static_cast<NodeIndex>(mesh.position.size()), {}});
       mesh.position.push_back(point);
     }
     for (std::size_t k = 0; k + 1 < points.size(); ++k)
@@ -132,7 +132,8 @@ TEST_CASE("a fracture joins another one that it is connected to elsewhere", "[st
   CHECK(segment.end->vertex == wall + 2);
 }
 
-TEST_CASE("a fracture that has crossed another one at a sharp angle leaves its arms behind", "[structure][fracture]") {
+TEST_CASE("a fracture that has crossed another one at a sharp angle leaves its arms behind",
+          "[structure][fracture]") {
   Lines lines;
   lines.add({{-0.5, 0}, {0, 0}, {0.5, 0}});
   const VertexIndex arm = lines.add({{0.43, 0.25}, {0.86, 0.5}});

@@ -11,7 +11,12 @@ namespace fissura::structure {
 Case square(double side) {
   Case given;
   given.domain = {side, side, 1};
-  given.mesh = {0.5, 4, 2, 0.2, 1};
+  given.mesh = {.fracture_size = 0.5,
+                .far_size = 4,
+                .corridor = 2,
+                .gradation = 0.2,
+                .lattice_angle = {},
+                .refinements = {}};
   return given;
 }
 

@@ -79,7 +79,12 @@ TEST_CASE("report: size, quality and time of typical meshes", "[.][report]") {
                                                                                     {0.1, 0.6, 0.1},
                                                                                     {0.05, 0.3, 0.02}}) {
     Case given = square(400);
-    given.mesh = {size, 40, corridor, gradation, 1};
+    given.mesh = {.fracture_size = size,
+                  .far_size = 40,
+                  .corridor = corridor,
+                  .gradation = gradation,
+                  .lattice_angle = {},
+                  .refinements = {}};
     add_line(given, "path", {{-16, 0}, {16, 0}});
     const auto start = std::chrono::steady_clock::now();
     const Mesh mesh = build_mesh(given);

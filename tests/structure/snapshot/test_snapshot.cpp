@@ -26,10 +26,15 @@ Case slit_case() {
   settings.domain = {40, 40, 1};
   settings.mesh = {0.5, 2, 2, 0.3, 1, 0.5, 2, 0.4, {}, {}};
   settings.boundary.west.kind = BoundaryKind::roller;
-  settings.fractures.push_back({"slit", FractureKind::open, {{-4, 0}, {4, 0}}, 0, 0, 0.5, 0});
-  settings.fractures.push_back({"joint", FractureKind::natural, {{8, -4}, {8, 4}}, 0, 0, 0.6, 1e5});
-  settings.fractures.back().friction_coefficient = 0.02;
-  settings.fractures.back().dilation_angle = 0.1;
+  settings.fractures.push_back(
+      {.name = "slit", .points = {{-4, 0}, {4, 0}}, .friction_coefficient = 0.5, .set = {}});
+  settings.fractures.push_back({.name = "joint",
+                                .kind = FractureKind::natural,
+                                .points = {{8, -4}, {8, 4}},
+                                .friction_coefficient = 0.02,
+                                .cohesion = 1e5,
+                                .dilation_angle = 0.1,
+                                .set = {}});
   settings.fractures.back().dilation_slip = 1;
   return settings;
 }
@@ -76,7 +81,13 @@ struct Structure {
     Mesh& mesh = geometry.mesh;
     follow(refine(mesh, {5, 1}, 1));
     follow(coarsen(mesh, {-10, 10}, 6));
-    mesh.lines.push_back({"grown", FractureKind::intact, {{-10, -10}, {-9, -10}}, 1e6, 100, 0.6, 0});
+    mesh.lines.push_back({.name = "grown",
+                          .kind = FractureKind::intact,
+                          .points = {{-10, -10}, {-9, -10}},
+                          .tensile_strength = 1e6,
+                          .fracture_energy = 100,
+                          .friction_coefficient = 0.6,
+                          .set = {}});
     follow(tear(mesh, {-10, -10}));
     follow(refine(mesh, {-10, -8}, 2));
   }

@@ -31,7 +31,8 @@ StructureModel pulled(double h, double notch, double stretch, double fracture_en
   given.boundary.north = {BoundaryKind::displacement, {0, stretch / 2}, GrowingPlate::end()};
   given.dynamics.initial_mass_scale = given.dynamics.maximum_mass_scale = 1;
   if (notch > 0)
-    given.fractures.push_back({"notch", FractureKind::open, {{-notch, 0}, {notch, 0}}, 0, 0, 0.6, 0});
+    given.fractures.push_back(
+        {.name = "notch", .points = {{-notch, 0}, {notch, 0}}, .friction_coefficient = 0.6, .set = {}});
   return {given, elasticity(given.rock), 1};
 }
 
