@@ -27,7 +27,7 @@ struct ShortText {
 /// What the coupler knows of one participant. Times are those of the monotonic clock of this machine [s].
 struct ParticipantStatus {
   ShortText<16> asked;         ///< last command; empty before it introduced itself
-  ShortText<48> phase;         ///< as of its last PROGRESS
+  ShortText<48> phase;         ///< as of its last PROGRESS, or with which it begins the command
   std::uint64_t interval = 0;  ///< of the last command
   std::uint64_t count = 0;     ///< of its solve loop, as of its last PROGRESS
   double asked_at = 0;         ///< when it got that command

@@ -86,6 +86,8 @@ class Supervisor {
       status.epoch = attempt.epoch;
       status.started_at = monotonic_seconds();
       status.started_time = status.time;
+      status.phase = "start";
+      status.phase_since = status.started_at;
       status.participants = {};
     });
     const int code = work_(attempt);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <csignal>
 #include <cstring>
 #include <utility>
@@ -30,6 +31,13 @@ std::string hexadecimal(const RunId& run) {
   std::string text;
   for (const std::uint8_t byte : run) text += fmt::format("{:02x}", byte);
   return text;
+}
+
+/// The phase in which a participant begins to carry out a command: "advance" for ADVANCE.
+std::string first_phase(MessageType command) {
+  std::string phase = name(command);
+  for (char& letter : phase) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return phase;
 }
 
 bool may_be_said(const CouplerMove& move) {
@@ -78,6 +86,7 @@ void Trio::send(Role role, Message command) {
   Participant& target = participant(role);
   require_allowed(target, word_of(command));
   target.asked = name(command.type);
+  target.phase = first_phase(command.type);
   target.interval = command.interval;
   target.revision = command.revision;
   target.last_word = target.asked_at = Clock::now();
@@ -249,6 +258,7 @@ void Trio::take(Participant& each, CouplerView asked_in, Message&& answer) {
                      answer.revision, each.revision));
   if (const std::optional<std::string> fault = wrong_unit(answer))
     fail(ExitCode::mismatch, each, "sent " + *fault);
+  each.phase = "waiting";
   each.answer = std::move(answer);
 }
 
@@ -327,6 +337,7 @@ void Trio::greet(PeerNumber peer, Participant& each, const Message& hello) {
   each.identity = std::move(identity);
   each.joined = each.last_word = each.asked_at = Clock::now();
   each.asked = "WELCOME";
+  each.phase = "join";
   if (each.process) each.memory.emplace(each.process->pid());
   Message welcome(MessageType::welcome);
   welcome.body = {{"run_id", run_id_},

@@ -104,7 +104,7 @@ class Trio {
     std::optional<Message> answer;
     std::string asked = "HELLO";  ///< what it was asked last
     std::uint64_t interval = 0, revision = 0;  ///< of that command
-    std::string phase = "start";  ///< as of its last PROGRESS
+    std::string phase = "start";  ///< as of its last PROGRESS, or with which it begins the command
     std::uint64_t count = 0;
     Clock::time_point asked_at{}, last_word{}, joined{};
     std::optional<Clock::time_point> stopped_since;

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/errors.hpp"
-#include "coupler/report/whole_lines.hpp"
+#include "coupler/record/segment_index.hpp"
 
 namespace fissura::coupler {
 
@@ -41,7 +41,7 @@ FieldReports::FieldReports(const std::filesystem::path& run_directory) : folder_
   const std::filesystem::path index = folder_ / "index.jsonl";
   if (!std::filesystem::exists(index)) return;
   try {
-    for (const std::string& line : whole_lines(index)) take_in(nlohmann::json::parse(line));
+    for (const nlohmann::json& line : segment_index(index)) take_in(line);
   } catch (const nlohmann::json::exception& fault) {
     throw StorageError(fmt::format("{} is damaged: {}", index.string(), fault.what()));
   }
@@ -49,6 +49,7 @@ FieldReports::FieldReports(const std::filesystem::path& run_directory) : folder_
 
 void FieldReports::take_in(const nlohmann::json& entry) {
   const std::string segment = entry.at("file");
+  index_[segment] = entry;
   for (const std::uint64_t geometry : entry.at("meshes")) segment_of_mesh_[geometry] = segment;
   for (const std::uint64_t revision : entry.at("networks")) segment_of_network_[revision] = segment;
   const std::uint64_t last = entry.at("reports").at(1);
@@ -90,7 +91,7 @@ Hdf5File& FieldReports::opened(const std::string& segment) {
   const auto found = open_.find(segment);
   if (found != open_.end()) return found->second;
   open_.clear();
-  return open_.emplace(segment, Hdf5File::open(folder_ / segment)).first->second;
+  return open_.emplace(segment, open_segment(folder_, index_.at(segment))).first->second;
 }
 
 }  // namespace fissura::coupler

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -21,7 +21,8 @@ struct FieldReport {
 };
 
 /// The field reports in the closed segments of a run directory (docs/results.md); what a run is still writing
-/// is not seen. Throws StorageError if a segment is damaged or lacks what the index promises.
+/// is not seen. Throws StorageError if a segment or a line of the index is not as it was written, or lacks
+/// what the index promises.
 class FieldReports {
  public:
   /// A directory without segments has no reports.
@@ -46,7 +47,8 @@ class FieldReports {
   std::filesystem::path folder_;
   std::vector<FieldReport> reports_;
   std::map<std::uint64_t, std::string> segment_of_report_, segment_of_mesh_, segment_of_network_;
-  std::map<std::string, Hdf5File> open_;  ///< at most one
+  std::map<std::string, nlohmann::json> index_;  ///< line of each segment
+  std::map<std::string, Hdf5File> open_;         ///< at most one
 };
 
 }  // namespace fissura::coupler

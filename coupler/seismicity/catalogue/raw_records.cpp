@@ -3,11 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "common/errors.hpp"
-#include "coupler/record/hdf5_file.hpp"
+#include "coupler/record/segment_index.hpp"
 
 namespace fissura::coupler {
 
@@ -15,33 +14,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct SegmentOfSources {
-  std::string file;
-  std::uint64_t first = 0, last = 0;  ///< groups; none if first > last
-};
-
-std::vector<SegmentOfSources> closed_segments(const fs::path& index) {
-  std::ifstream stream(index);
-  if (!stream)
+/// Numbers of the first and the last group of a segment; none if the first is the greater.
+std::pair<std::uint64_t, std::uint64_t> groups_in(const nlohmann::json& segment, const fs::path& index) {
+  if (!segment.contains("sources"))
     throw Error(
         ExitCode::precondition,
-        fmt::format("{} cannot be read: is it a run directory with a closed segment?", index.string()));
-  std::vector<SegmentOfSources> segments;
-  // A last line without its end is still being written.
-  for (std::string line; std::getline(stream, line) && !stream.eof();) {
-    try {
-      const auto entry = nlohmann::json::parse(line);
-      if (!entry.contains("sources"))
-        throw Error(ExitCode::precondition,
-                    fmt::format("{} tells nothing of seismic sources: the run is of an earlier version",
-                                index.string()));
-      const auto [first, last] = entry.at("sources").get<std::pair<std::uint64_t, std::uint64_t>>();
-      segments.push_back({entry.at("file").get<std::string>(), first, last});
-    } catch (const nlohmann::json::exception& fault) {
-      throw StorageError(fmt::format("{} is damaged: {}", index.string(), fault.what()));
-    }
+        fmt::format("{} tells nothing of seismic sources: the run is of an earlier version", index.string()));
+  try {
+    return segment.at("sources").get<std::pair<std::uint64_t, std::uint64_t>>();
+  } catch (const nlohmann::json::exception& fault) {
+    throw StorageError(fmt::format("{} is damaged: {}", index.string(), fault.what()));
   }
-  return segments;
 }
 
 std::vector<SourceRecord> records_in(const Hdf5File& file, const std::string& group) {
@@ -58,11 +41,16 @@ std::vector<SourceRecord> records_in(const Hdf5File& file, const std::string& gr
 std::uint64_t for_each_source_group(
     const fs::path& run_directory,
     const std::function<void(double time, const std::vector<SourceRecord>&)>& take) {
+  const fs::path folder = run_directory / "segments", index = folder / "index.jsonl";
+  if (!fs::exists(index))
+    throw Error(ExitCode::precondition,
+                fmt::format("{} is not there: is it a run directory with a closed segment?", index.string()));
   std::uint64_t groups = 0;
-  for (const SegmentOfSources& segment : closed_segments(run_directory / "segments" / "index.jsonl")) {
-    if (segment.first > segment.last) continue;
-    const Hdf5File file = Hdf5File::open(run_directory / "segments" / segment.file);
-    for (std::uint64_t number = segment.first; number <= segment.last; ++number) {
+  for (const nlohmann::json& segment : segment_index(index)) {
+    const auto [first, last] = groups_in(segment, index);
+    if (first > last) continue;
+    const Hdf5File file = open_segment(folder, segment);
+    for (std::uint64_t number = first; number <= last; ++number) {
       const std::string group = fmt::format("/sources/{:06}", number);
       take(file.read_number(group, "time"), records_in(file, group));
       ++groups;

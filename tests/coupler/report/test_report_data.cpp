@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "common/errors.hpp"
+#include "coupler/record/sealed_line.hpp"
 #include "coupler/report/csv_columns.hpp"
 #include "coupler/report/field_reports.hpp"
 #include "coupler/report/report_data.hpp"
@@ -177,11 +178,43 @@ TEST_CASE("the change of stress far away is that beyond half the extent of the n
   CHECK(far["greatest_change"].get<double>() == Approx(0.25));
 }
 
+TEST_CASE("a closed segment with a flipped bit is refused before HDF5 sees it", "[coupler][report]") {
+  const sample::TemporaryDirectory folder;
+  const FractureNetwork network = sample::network();
+  Segments segments(folder.path(), 1);
+  segments.add(1, small_run::structure_fields(), small_run::network_fields(network), network, {});
+  segments.add_sources(2, {SourceRecord{}});
+  segments.close();
+  const std::filesystem::path first = folder.path() / "segments" / "000001.h5";
+  const auto flip_middle = [](const std::filesystem::path& file) {
+    std::fstream stream(file, std::ios::binary | std::ios::in | std::ios::out);
+    const auto middle = static_cast<std::streamoff>(std::filesystem::file_size(file) / 2);
+    stream.seekg(middle);
+    const int byte = stream.get();
+    stream.seekp(middle);
+    stream.put(static_cast<char>(byte ^ 4));
+  };
+  CHECK_NOTHROW(FieldReports(folder.path()));
+  flip_middle(first);
+  CHECK_THROWS_WITH(FieldReports(folder.path()),
+                    Catch::Contains("000001.h5 is damaged: its SHA-256 is not that of index.jsonl"));
+  CHECK_THROWS_AS(FieldReports(folder.path()), StorageError);
+  flip_middle(folder.path() / "segments" / "000002.h5");
+  CHECK_THROWS_WITH(for_each_source_group(folder.path(), [](double, const auto&) {}),
+                    Catch::Contains("000002.h5 is damaged"));
+}
+
 TEST_CASE("an index of segments that is damaged is named", "[coupler][report]") {
   const sample::TemporaryDirectory folder;
   std::filesystem::create_directory(folder.path() / "segments");
-  for (const char* line : {"{\"file\": \"00", "[]", "{}", "{\"file\": 3}",
-                           "{\"file\": \"000001.h5\", \"meshes\": [0], \"networks\": [0], \"reports\": [true, 2]}"}) {
+  using Json = nlohmann::ordered_json;
+  const Json whole{
+      {"file", "000001.h5"}, {"meshes", {0}}, {"networks", {0}}, {"reports", {1, 2}}, {"sources", {1, 1}}};
+  Json wrong = whole;
+  wrong["reports"] = {true, 2};
+  wrong["sources"] = "some";
+  for (const std::string& line : {std::string("{\"file\": \"00"), std::string("[]"), whole.dump(),
+                                  sealed_line({{"file", 3}}), sealed_line(wrong), sealed_line(whole)}) {
     std::ofstream(folder.path() / "segments" / "index.jsonl") << line << '\n';
     CHECK_THROWS_AS(FieldReports(folder.path()), StorageError);
     CHECK_THROWS_AS(for_each_source_group(folder.path(), [](double, const auto&) {}), Error);
