@@ -96,13 +96,17 @@ class Verification {
   /// The case is that of the run, and so are the copies of its files.
   void verify_description() {
     try {
-      const auto run = nlohmann::json::parse(read_whole_file(directory_ / "run.json"));
+      const nlohmann::json run = opened_run_text(read_whole_file(directory_ / "run.json"));
       const auto run_case = nlohmann::json::parse(read_whole_file(directory_ / "effective_case.json"));
       if (case_hash(run_case) != run.at("case_hash"))
         damaged("effective_case.json", "it is not the case of run.json");
       for (const auto& [name, hash] : run.at("inputs").items())
         if (hash_of("input/" + name) != hash) damaged("input/" + name, "its SHA-256 is not that of run.json");
-      sound("run.json, effective_case.json, input/", "the case hash and the hashes of the input files fit");
+      // It is there before the first line of the history.
+      if (fs::exists(directory_ / "history.csv") && hash_of("columns.json") != run.at("columns"))
+        damaged("columns.json", "its SHA-256 is not that of run.json");
+      sound("run.json", "closed by its hash");
+      sound("effective_case.json, columns.json, input/", "their hashes are those of run.json");
     } catch (const StorageError& fault) {
       damaged("run.json", fault.what());
     } catch (const nlohmann::json::exception& fault) {

@@ -33,14 +33,14 @@ void append_name(std::string& line, std::string_view name) {
   line += name;
 }
 
+}  // namespace
+
 std::string columns_json() {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const RecordedScalar& column : recorded_scalars())
     list.push_back({{"name", column.name}, {"unit", column.unit}, {"meaning", column.meaning}});
   return list.dump(2) + "\n";
 }
-
-}  // namespace
 
 History::History() : values_(recorded_scalars().size()) {
   observe({});

@@ -16,6 +16,9 @@
 
 namespace fissura::coupler {
 
+/// The text of columns.json: name, unit and meaning of the columns of history.csv and ledger.csv.
+std::string columns_json();
+
 /// The series of all coupling times: in memory for the verdict, and on disk as history.csv, ledger.csv and,
 /// with probes, probes.csv. Numbers are printed with the fewest digits that read back to the same double.
 class History {
@@ -26,7 +29,7 @@ class History {
   /// The run has probes of these names. @pre neither write_to() nor add() yet
   void observe(const std::vector<std::string>& probes);
 
-  /// Creates history.csv, ledger.csv, columns.json (names, units and meaning of the columns of both) and
+  /// Creates history.csv, ledger.csv, columns.json (columns_json) and
   /// probes.csv in `directory`. Until then add() only keeps the series in memory. Throws StorageError.
   void write_to(const std::filesystem::path& directory);
 

@@ -6,8 +6,10 @@
 
 #include <ctime>
 
+#include "common/errors.hpp"
 #include "common/hash.hpp"
 #include "coupler/record/hdf5_file.hpp"
+#include "coupler/record/history.hpp"
 
 namespace fissura::coupler {
 
@@ -25,6 +27,12 @@ std::map<std::string, std::string> all_libraries(const std::map<std::string, std
   return libraries;
 }
 
+constexpr const char* seal = "sha256";
+
+std::string hash_of(const std::string& text) {
+  return sha256(std::as_bytes(std::span(text)));
+}
+
 }  // namespace
 
 std::string program_version() {
@@ -32,8 +40,7 @@ std::string program_version() {
 }
 
 std::string case_hash(const nlohmann::json& effective_case) {
-  const std::string text = effective_case.dump();
-  return sha256(std::as_bytes(std::span(text)));
+  return hash_of(effective_case.dump());
 }
 
 nlohmann::json run_json(const RunDescription& description) {
@@ -53,7 +60,25 @@ nlohmann::json run_json(const RunDescription& description) {
       {"command_line", description.command_line},
       {"participants", description.participants},
       {"started", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
+      {"columns", hash_of(columns_json())},
   };
+}
+
+std::string sealed_run_text(nlohmann::json content) {
+  content[seal] = hash_of(content.dump());
+  return content.dump(2) + "\n";
+}
+
+nlohmann::json opened_run_text(const std::string& text) {
+  nlohmann::json content;
+  try {
+    content = nlohmann::json::parse(text);
+    content.erase(seal);
+  } catch (const nlohmann::json::exception& fault) {
+    throw StorageError(fmt::format("run.json cannot be read: {}", fault.what()));
+  }
+  if (sealed_run_text(content) != text) throw StorageError("its SHA-256 is not the one it closes with");
+  return content;
 }
 
 }  // namespace fissura::coupler

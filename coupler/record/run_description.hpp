@@ -30,8 +30,14 @@ std::string case_hash(const nlohmann::json& effective_case);
 
 /// The content of run.json: `program`, `version`, `git_commit` ("unknown" outside a repository), `compiler`,
 /// `libraries`, `run_id`, `title`, `case_hash`, `inputs` (file name -> SHA-256), `threads`, `command_line`,
-/// `participants`, `started` (UTC). Of input files only the name is told, never the folder.
-/// Throws StorageError if an input file cannot be read.
+/// `participants`, `started` (UTC), `columns` (SHA-256 of columns.json). Of input files only the name is
+/// told, never the folder. Throws StorageError if an input file cannot be read.
 nlohmann::json run_json(const RunDescription& description);
+
+/// The text of run.json: `content`, closed by its own SHA-256 as entry `sha256`.
+std::string sealed_run_text(nlohmann::json content);
+
+/// The content of such a text. Throws StorageError if it is not as it was written.
+nlohmann::json opened_run_text(const std::string& text);
 
 }  // namespace fissura::coupler

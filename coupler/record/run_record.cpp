@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "common/errors.hpp"
+#include "common/log.hpp"
 #include "coupler/record/checked_file.hpp"
 #include "coupler/record/checksums.hpp"
 #include "coupler/record/sealed_line.hpp"
@@ -40,15 +41,21 @@ void copy_inputs(const std::vector<fs::path>& files, const fs::path& folder) {
   sync_to_disk(folder);
 }
 
-/// run.json of an earlier life of the same run, or else the one that says that it begins now.
+/// run.json of an earlier life of the same run under the same program, or else the one that says that it
+/// begins now.
 std::string run_text(const fs::path& file, const RunDescription& description) {
+  const nlohmann::json content = run_json(description);
+  if (!fs::exists(file)) return sealed_run_text(content);
   try {
     const std::string text = read_whole_file(file);
-    if (nlohmann::json::parse(text).at("run_id") == description.run_id) return text;
-  } catch (const StorageError&) {
-  } catch (const nlohmann::json::exception&) {
+    const nlohmann::json earlier = opened_run_text(text);
+    const auto agree = [&](const char* key) { return earlier.value(key, "") == content.at(key); };
+    if (agree("run_id") && agree("columns")) return text;
+  } catch (const StorageError& fault) {
+    log::warn(
+        fmt::format("{} is damaged and written anew, with the time of now: {}", file.string(), fault.what()));
   }
-  return run_json(description).dump(2) + "\n";
+  return sealed_run_text(content);
 }
 
 std::string started_of(const std::string& run_text) {

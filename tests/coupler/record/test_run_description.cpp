@@ -52,3 +52,18 @@ TEST_CASE("an input file that vanished is a storage error", "[coupler][record]")
   description.input_files = {"/nonexistent/case.toml"};
   CHECK_THROWS_AS(run_json(description), StorageError);
 }
+
+TEST_CASE("run.json closes with its own hash: no flipped bit of it goes unseen", "[coupler][record]") {
+  RunDescription description;
+  description.run_id = "0123";
+  description.title = "sample";
+  const nlohmann::json content = run_json(description);
+  const std::string text = sealed_run_text(content);
+  CHECK(opened_run_text(text) == content);
+  for (std::size_t bit = 0; bit < 8 * text.size(); ++bit) {
+    std::string damaged = text;
+    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
+    INFO("byte " << bit / 8 << " bit " << bit % 8);
+    CHECK_THROWS_AS(opened_run_text(damaged), StorageError);
+  }
+}
