@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "common/exchange/array_units.hpp"
+#include "common/exchange/floating_point.hpp"
 #include "common/exchange/held_signals.hpp"
 #include "common/exchange/progress.hpp"
 #include "common/exchange/stack_dump.hpp"
@@ -317,6 +318,8 @@ Message Session::network_and_state() {
 
 Word Session::reply(MessageType type, Message message) {
   const std::optional<Spoil> spoilt = begin_phase("answer");
+  if (const std::optional<std::string> change = changed_floating_point())
+    throw ProtocolError(fmt::format("the solver has left floating-point arithmetic changed: {}", *change));
   if (spoilt) spoil(message, *spoilt);
   message.type = type;
   message.interval = interval_;

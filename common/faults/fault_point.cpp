@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cfenv>
 #include <charconv>
 #include <csignal>
 #include <cstdlib>
@@ -69,6 +70,18 @@ void exhaust_memory() {
   for (;;) taken.emplace_back(piece);
 }
 
+void flush_denormals() {
+#if defined(__x86_64__)
+  constexpr unsigned flush_to_zero = 0x8000, denormals_are_zero = 0x0040;
+  __builtin_ia32_ldmxcsr(__builtin_ia32_stmxcsr() | flush_to_zero | denormals_are_zero);
+#elif defined(__aarch64__)
+  constexpr unsigned long flush_to_zero = 1UL << 24;
+  __builtin_aarch64_set_fpcr64(__builtin_aarch64_get_fpcr64() | flush_to_zero);
+#else
+  throw std::runtime_error("injected flush of denormal numbers: not known of this processor");
+#endif
+}
+
 void act(const ProcessFault& fault, std::uint64_t interval) {
   switch (fault.action) {
     case FaultAction::kill:
@@ -100,6 +113,12 @@ void act(const ProcessFault& fault, std::uint64_t interval) {
     }
     case FaultAction::exhaust:
       exhaust_memory();
+      return;
+    case FaultAction::round_up:
+      std::fesetround(FE_UPWARD);
+      return;
+    case FaultAction::flush_denormals:
+      flush_denormals();
       return;
     case FaultAction::disk_full:
       disk_is_full = true;

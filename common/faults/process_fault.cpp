@@ -32,11 +32,16 @@ bool concerns_files(FaultAction action) {
          action == FaultAction::sync_error || action == FaultAction::rename_error;
 }
 
+bool changes_arithmetic(FaultAction action) {
+  return action == FaultAction::round_up || action == FaultAction::flush_denormals;
+}
+
 std::vector<std::string> actions_at(std::string_view role, std::string_view phase) {
   std::vector<std::string> actions;
   for (const Named<FaultAction>& each : fault_actions)
     if (!(spoils_a_value(each.value) && phase != "answer") &&
-        !(concerns_files(each.value) && role != "coupler"))
+        !(concerns_files(each.value) && role != "coupler") &&
+        !(changes_arithmetic(each.value) && role == "coupler"))
       actions.emplace_back(each.name);
   return actions;
 }

@@ -47,13 +47,15 @@ enum class FaultAction {
   exit,             ///< leaves with exit code `code`
   abort,
   segfault,
-  exhaust,      ///< takes all memory that a limit on its address space leaves it
-  nan,          ///< participants, `answer`: a value of the reply becomes not-a-number
-  negative,     ///< the same: less than 0
-  disk_full,    ///< coupler: every write from now on fails
-  write_error,  ///< coupler: the next write fails, ...
-  sync_error,   ///< ... the next fsync
-  rename_error  ///< ... the next rename
+  exhaust,          ///< takes all memory that a limit on its address space leaves it
+  round_up,         ///< leaves floating-point arithmetic rounding upward
+  flush_denormals,  ///< leaves it replacing denormal numbers by zero
+  nan,              ///< participants, `answer`: a value of the reply becomes not-a-number
+  negative,         ///< the same: less than 0
+  disk_full,        ///< coupler: every write from now on fails
+  write_error,      ///< coupler: the next write fails, ...
+  sync_error,       ///< ... the next fsync
+  rename_error      ///< ... the next rename
 };
 
 inline constexpr std::array fault_phases{
@@ -86,6 +88,8 @@ inline constexpr std::array fault_actions{Named<FaultAction>{"kill", FaultAction
                                           Named<FaultAction>{"abort", FaultAction::abort},
                                           Named<FaultAction>{"segfault", FaultAction::segfault},
                                           Named<FaultAction>{"exhaust", FaultAction::exhaust},
+                                          Named<FaultAction>{"round_up", FaultAction::round_up},
+                                          Named<FaultAction>{"flush_denormals", FaultAction::flush_denormals},
                                           Named<FaultAction>{"nan", FaultAction::nan},
                                           Named<FaultAction>{"negative", FaultAction::negative},
                                           Named<FaultAction>{"disk_full", FaultAction::disk_full},

@@ -18,6 +18,8 @@ LATER = {"advance": 33, "answer": 40, "network": 33, "structure": 33}
 LATER_TIME = {"insert": 5, "insertion": 5, "report": 5, "segment": 5, "save": 6, "checkpoint-prepare": 6, "checkpoint-commit": 6}
 RESUMING = {"structure": ("hello", "join", "restore"), "network": ("hello", "join", "restore"), "coupler": ("start", "resume")}
 
+# Where a participant is about to say something of its solver's work.
+ANSWERING = ("advance", "answer", "insert", "report", "save", "finish")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -86,6 +88,10 @@ PROCESS_ROWS = (
     Row("uncaught exception", {"do": "throw"}, 70, r"injected exception"),
     Row("says it failed", {"do": "fail"}, 24, r"injected failure"),
     Row("out of memory", {"do": "exhaust"}, 26, r"memory"),
+    Row("rounding left changed", {"do": "round_up"}, 22, "left floating-point arithmetic changed: numbers are rounded upward", within=1,
+        roles=PARTICIPANTS, phases=ANSWERING),
+    Row("denormal numbers left flushed", {"do": "flush_denormals"}, 22, "arithmetic changed: numbers below the smallest normal one", within=1,
+        roles=PARTICIPANTS, phases=ANSWERING),
     Row("stopped", {"do": "stop"}, 21, SILENT, within=2.5),
     Row("endless loop", {"do": "spin"}, 21, SILENT, within=5),
 )
@@ -226,6 +232,7 @@ def script_cells():
     for name, environment in (("decimal comma", {"LC_ALL": "de_DE.UTF-8"}), ("time zone", {"TZ": "Asia/Kathmandu"}),
                               ("no home", {"HOME": None}), ("no language", {"LANG": None, "LC_ALL": None}), ("C locale", {"LC_ALL": "C"})):
         yield cell("odd surroundings", name, CLEAN, "odd_environment", *environment.items(), resumes="no")
+    yield cell("odd surroundings", "wall clock jumps by minutes and years", CLEAN, "jumping_clock", resumes="no", needs=("c++",))
     yield cell("odd surroundings", "umask 077", CLEAN, "odd_umask", 0o077, resumes="no")
     yield cell("odd surroundings", "directory it was started in is gone", CLEAN, "vanished_directory", resumes="no")
     for stream in ("stdout", "stderr"):

@@ -185,7 +185,7 @@ def missing(cells):
     """What the cells need and this build or machine has not: need -> words."""
     lacking = {}
     for need in {need for cell in cells for need in cell.needs}:
-        if need in ("unshare", "strace"):
+        if need in ("unshare", "strace", "c++"):
             present = shutil.which(need)
         elif need.startswith("program:"):
             present = has_program(need.split(":")[1])

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cells of the fault matrix that are no fault of a process at work: start-up, surroundings, files, foreign peers. Each function plays one cell:
 (cell, clean, home, played) -> None; what is wrong goes to `played`."""
+import calendar
+import json
 import os
 import pathlib
 import resource
@@ -11,7 +13,7 @@ import subprocess
 import time
 
 import fault_matrix as matrix
-from fault_run import COUPLER, PROGRAMS, Watched, differences, has_command, results, resume, run_command
+from fault_run import COUPLER, PROGRAMS, ROOT, Watched, differences, has_command, results, resume, run_command
 
 CHECKPOINTS = {"checkpoint.intervals": 5}
 
@@ -112,6 +114,15 @@ def odd_environment(cell, clean, home, played):
     changed = {name: value for name, value in cell.arguments if value is not None}
     command = ["env", *(word for name in removed for word in ("-u", name)), *run_command(home.run, **values(cell))]
     finish(Watched(command, home, changed), cell, clean, home, played)
+
+
+def jumping_clock(cell, clean, home, played):
+    shim = home.path / "jumping_clock.so"
+    subprocess.run(["c++", "-O1", "-shared", "-fPIC", "-o", shim, ROOT / "tests/system/jumping_clock.cpp"], check=True)
+    finish(Watched(run_command(home.run, **values(cell)), home, {"LD_PRELOAD": str(shim)}), cell, clean, home, played)
+    started = json.loads((home.run / "run.json").read_text())["started"]
+    if abs(time.time() - calendar.timegm(time.strptime(started, "%Y-%m-%dT%H:%M:%SZ"))) < 200:
+        played.wrong("error", f"the clock of the run did not jump: it started at {started}")
 
 
 def odd_umask(cell, clean, home, played):
