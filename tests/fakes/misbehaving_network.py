@@ -13,6 +13,7 @@ ENVELOPE = struct.Struct("<4sBBH16sIIQQQII")
 HELLO, WELCOME, INSERT, ACKNOWLEDGE, ADVANCE, PRESSURE = 1, 2, 11, 12, 20, 21
 KINDS = ("garbage", "damaged", "lost", "doubled", "foreign", "stale", "wrong-type", "wrong-length", "wrong-revision",
          "wrong-hash", "negative-aperture", "absurd-pressure", "unconverged", "leaking", "silent", "other-version")
+UNITS = {"pressure": "Pa", "aperture_predicted": "m"}
 
 
 class Sender:
@@ -21,7 +22,7 @@ class Sender:
 
     def frames(self, kind, body, arrays=(), interval=0, revision=0, run=None, major=1):
         data = [struct.pack(f"<{len(v)}d", *v) for _, v in arrays]
-        body = dict(body, arrays=[dict(name=n, dtype="float64", shape=[len(v)], unit="1") for n, v in arrays])
+        body = dict(body, arrays=[dict(name=n, dtype="float64", shape=[len(v)], unit=UNITS.get(n, "1")) for n, v in arrays])
         text = json.dumps(body).encode()
         head = ENVELOPE.pack(b"FIS1", major, 0, kind, run or self.run, 0, len(data), self.sequence, interval, revision,
                              len(text), 0)[:60]
