@@ -8,6 +8,7 @@
 #include "common/errors.hpp"
 #include "common/log.hpp"
 #include "coupler/cli/check_command.hpp"
+#include "coupler/cli/conform_command.hpp"
 #include "coupler/cli/keys_command.hpp"
 #include "coupler/cli/report_command.hpp"
 #include "coupler/cli/run_command.hpp"
@@ -53,6 +54,17 @@ void add_seismicity_options(CLI::App& command, fissura::coupler::SeismicityOptio
       ->delimiter(',')
       ->allow_extra_args(false);
   command.add_option("--out", options.directory, "folder to write; RUN/seismicity_rebuilt if not given");
+}
+
+void add_conform_options(CLI::App& command, fissura::coupler::ConformOptions& options) {
+  command.prefix_command();
+  command.footer("CMD... is the solver's command; --connect ENDPOINT is appended to it.");
+  command.add_option("--only", options.only, "checks of this name or subject, or that fit a pattern with *");
+  command.add_option("--json", options.json, "writes the outcomes into this file")->type_name("FILE");
+  command.add_flag("--list", options.list, "prints the checks, carries out none");
+  command.add_option("--patience", options.patience, "wall seconds for any answer")
+      ->capture_default_str()
+      ->check(CLI::Range(0.1, 1e6));
 }
 
 }  // namespace
@@ -142,8 +154,14 @@ int main(int argc, char** argv) {
   CLI::App* new_keys = keys->add_subcommand("new", "makes the keys of one trio");
   new_keys->add_option("DIR", key_directory, "directory to write them into")->required();
 
+  fissura::coupler::ConformOptions conform_options;
+  CLI::App* conform = program.add_subcommand("conform", "whether a flow solver keeps the contract");
+  add_conform_options(*conform, conform_options);
+
   try {
     program.parse(argc, argv);
+    conform_options.command = conform->remaining();
+    if (conform->parsed()) return fissura::coupler::conform_command(conform_options);
     if (short_form) options.source.variants.emplace_back("short");
     if (new_keys->parsed()) return fissura::coupler::new_keys_command(key_directory);
     if (run->parsed()) return fissura::coupler::run_command(options);

@@ -144,4 +144,10 @@ void wait_for_any(FrameLink& first, FrameLink& second, int descriptor, std::chro
   zmq::poll(items, longest);
 }
 
+void wait_for(FrameLink& link, int descriptor, std::chrono::milliseconds longest) {
+  std::vector<zmq::pollitem_t> items = link.implementation_->poll_items();
+  if (descriptor >= 0) items.push_back({nullptr, descriptor, ZMQ_POLLIN, 0});
+  zmq::poll(items, longest);
+}
+
 }  // namespace fissura::coupler

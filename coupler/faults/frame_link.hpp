@@ -40,6 +40,7 @@ class FrameLink {
  private:
   friend void wait_for_any(FrameLink& first, FrameLink& second, int descriptor,
                            std::chrono::milliseconds longest);
+  friend void wait_for(FrameLink& link, int descriptor, std::chrono::milliseconds longest);
   class Implementation;
   explicit FrameLink(std::unique_ptr<Implementation> implementation);
   std::unique_ptr<Implementation> implementation_;
@@ -47,5 +48,8 @@ class FrameLink {
 
 /// Returns when something has come on a link, a link broke, `descriptor` is readable, or after `longest`.
 void wait_for_any(FrameLink& first, FrameLink& second, int descriptor, std::chrono::milliseconds longest);
+
+/// The same for one link; without a descriptor if that is negative.
+void wait_for(FrameLink& link, int descriptor, std::chrono::milliseconds longest);
 
 }  // namespace fissura::coupler

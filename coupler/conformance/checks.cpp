@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupler/conformance/check.hpp"
+
+#include <iterator>
+
+namespace fissura::coupler::conformance {
+
+std::vector<Check> all_checks() {
+  std::vector<Check> all;
+  for (const auto& subject : {
+           handshake_checks,
+       }) {
+    std::vector<Check> checks = subject();
+    std::move(checks.begin(), checks.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+}  // namespace fissura::coupler::conformance
