@@ -153,7 +153,6 @@ class Stopping(Ends):
             os.kill(run.pids("network")[0], signal.SIGSTOP)
             for _ in range(1000):
                 run.process.send_signal(signal.SIGINT)
-                time.sleep(0.0005)
             os.kill(run.pids("network")[0], signal.SIGCONT)
             self.check_end(run, 130, "ended at a coupling time, as asked")
 

@@ -177,7 +177,7 @@ TEST_CASE("each signal that asks for the end has its exit code", "[coupler][laun
 
 TEST_CASE("a storm of signals is one request", "[coupler][launch]") {
   SupervisedRun run;
-  std::thread user = signals_to_us(run.status, SIGINT, 1000, 500);
+  std::thread user = signals_to_us(run.status, SIGINT, 1000, 0);
   CHECK(run([&](const Attempt&) {
           const int code = until_asked_to_end(run.status);
           for (int i = 0; i < 200; ++i) {
