@@ -49,5 +49,11 @@ std::vector<Check> all_checks();
 
 // One function for each file of checks.
 std::vector<Check> handshake_checks();
+std::vector<Check> order_checks();
+std::vector<Check> insertion_checks();
+std::vector<Check> report_checks();
+std::vector<Check> state_checks();
+std::vector<Check> damage_checks();
+std::vector<Check> deadline_checks();
 
 }  // namespace fissura::coupler::conformance

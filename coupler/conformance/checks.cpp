@@ -9,6 +9,12 @@ std::vector<Check> all_checks() {
   std::vector<Check> all;
   for (const auto& subject : {
            handshake_checks,
+           order_checks,
+           insertion_checks,
+           report_checks,
+           state_checks,
+           damage_checks,
+           deadline_checks,
        }) {
     std::vector<Check> checks = subject();
     std::move(checks.begin(), checks.end(), std::back_inserter(all));

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "coupler/conformance/driver.hpp"
+#include "coupler/conformance/expectation.hpp"
+#include "coupler/conformance/flow_cases.hpp"
+#include "coupler/conformance/pumped_slit.hpp"
+#include "coupler/conformance/refusal.hpp"
+#include "coupler/conformance/topologies.hpp"
+#include "coupler/launch/process_tree.hpp"
+
+namespace fissura::coupler::conformance {
+
+namespace {
+
+constexpr const char* contract = "flow_solvers.md 2.3";
+constexpr double short_deadline = 1;  // of the coupler, told in WELCOME [s]
+/// Beyond a deadline, for looking at the clock and for ending.
+constexpr Seconds grace{2.5};
+
+double now() {
+  return Seconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// A process that has been told of a short deadline, and has its first topology.
+void begin(Driver& driver) {
+  Message welcome = driver.welcome_message(pumped_case());
+  welcome.body["coupler_deadline"] = short_deadline;
+  driver.participant().say(std::move(welcome));
+  driver.insert(straight_slit(PumpedSlit::nodes, PumpedSlit::spacing, PumpedSlit::nodes / 2));
+}
+
+std::string silent_coupler(const Candidate& candidate) {
+  Driver driver(candidate);
+  begin(driver);
+  driver.participant().fall_silent();
+  const double start = now();
+  const std::string end =
+      require_end(driver, Seconds(short_deadline) + grace, {20, 21},
+                  fmt::format("the last word of a coupler whose deadline is {:g} s", short_deadline));
+  const double waited = now() - start;
+  constexpr double early = 0.9;
+  require(waited >= early * short_deadline, fmt::format("a wait of {:g} s for the coupler", short_deadline),
+          fmt::format("{:.2f} s", waited));
+  return fmt::format("{} after {:.2f} s", end, waited);
+}
+
+std::string kept_alive(const Candidate& candidate) {
+  Driver driver(candidate);
+  begin(driver);
+  constexpr auto between = std::chrono::milliseconds(400);
+  constexpr int signs = 5;
+  for (int k = 0; k < signs; ++k) {
+    std::this_thread::sleep_for(between);
+    Message sign(MessageType::progress);
+    sign.body = {{"phase", "structure"}, {"count", k}};
+    driver.participant().say(std::move(sign));
+  }
+  (void)driver.advance(spring_interval({}, driver.network(), 0, PumpedSlit::duration, {}));
+  return fmt::format("an interval was answered after {:g} s of nothing but PROGRESS", signs * 0.4);
+}
+
+std::string coupler_gone(const Candidate& candidate) {
+  PumpedSlit scene(candidate);
+  scene.advance();
+  scene.driver.participant().hang_up();
+  return require_end(scene.driver, grace, {20, 21}, "the end of the coupler's connection");
+}
+
+std::string coupler_fails(const Candidate& candidate) {
+  PumpedSlit scene(candidate);
+  scene.advance();
+  Message failure(MessageType::fail);
+  failure.body = {
+      {"role", "coupler"}, {"phase", "structure"}, {"reason", "the structure died"}, {"exit_code", 0}};
+  scene.driver.participant().say(std::move(failure));
+  return require_end(scene.driver, grace, {20}, "FAIL of the coupler");
+}
+
+std::string finishes(const Candidate& candidate) {
+  PumpedSlit scene(candidate);
+  scene.advance();
+  const nlohmann::json figures = scene.driver.finish();
+  const auto found = figures.find("work_seconds");
+  require(found != figures.end() && found->is_number(), "work_seconds in `figures` of BYE", figures.dump());
+  require_within("work_seconds", found->get<double>(), 0, scene.driver.patience().count());
+  return fmt::format("BYE with {} figures, exit code 0", figures.size());
+}
+
+/// The process that said HELLO, if it is one of those that were started here; else the one that was started.
+void send_signal(Driver& driver, int signal) {
+  const auto pid = static_cast<pid_t>(driver.greeting().pid);
+  if (descendants().contains(pid))
+    ::kill(pid, signal);
+  else
+    driver.participant().send_signal(signal);
+}
+
+std::string passes_stop_on(const Candidate& candidate) {
+  PumpedSlit scene(candidate);
+  scene.advance();
+  (void)scene.driver.participant().say(scene.driver.report_message());
+  if (!std::holds_alternative<Message>(scene.driver.participant().hear(scene.driver.patience())))
+    throw Deviation("FIELDS", "nothing");
+  send_signal(scene.driver, SIGTERM);
+  const double start = now();
+  std::optional<int> told;
+  while (!told && now() - start < grace.count()) {
+    const Heard heard = scene.driver.participant().hear(Seconds(0.05));
+    if (!std::holds_alternative<Silence>(heard))
+      scene.driver.deviate("PROGRESS with stop_signal, and nothing else", heard);
+    for (const HeardProgress& progress : scene.driver.participant().progress())
+      if (progress.stop_signal) told = progress.stop_signal;
+  }
+  const double waited = now() - start;
+  require(told == SIGTERM, "PROGRESS with stop_signal 15 after SIGTERM",
+          told ? fmt::format("stop_signal {}", *told) : "no stop_signal");
+  scene.advance();
+  return fmt::format("stop_signal {} after {:.2f} s, and it serves on", *told, waited);
+}
+
+std::string ignores_interrupt(const Candidate& candidate) {
+  PumpedSlit scene(candidate);
+  scene.advance();
+  send_signal(scene.driver, SIGINT);
+  constexpr Seconds long_enough{0.3};
+  const Heard heard = scene.driver.participant().hear(long_enough);
+  if (!std::holds_alternative<Silence>(heard)) scene.driver.deviate("no change after SIGINT", heard);
+  scene.advance();
+  return "SIGINT, which Ctrl-C sends to all, changes nothing: the coupler decides";
+}
+
+/// Longest time without a word between a command and its answer.
+double longest_gap(const std::vector<HeardProgress>& progress, double answered) {
+  double before = 0, longest = 0;
+  for (const HeardProgress& each : progress) {
+    longest = std::max(longest, each.time - before);
+    before = each.time;
+  }
+  return std::max(longest, answered - before);
+}
+
+std::string tells_of_progress(const Candidate& candidate) {
+  constexpr double long_work = 1.5;
+  constexpr double warned_of = 1;  // a tenth of the usual deadlines.progress
+  double work = 0, gap = 0;
+  std::size_t nodes = 200, signs = 0;
+  for (; nodes <= 12800 && work < long_work; nodes *= 4) {
+    constexpr double length = 4;  // of the slit [m]
+    Candidate patient = candidate;
+    patient.patience = Seconds(60);
+    PumpedSlit scene(patient, pumped_case(),
+                     straight_slit(nodes, length / static_cast<double>(nodes), nodes / 2));
+    const double start = now();
+    scene.advance(PumpedSlit::duration);
+    work = now() - start;
+    gap = longest_gap(scene.driver.participant().progress(), work);
+    signs = scene.driver.participant().progress().size();
+    if (work > warned_of)
+      require(gap <= warned_of,
+              fmt::format("PROGRESS at least every {:g} s while at work on {} nodes", warned_of, nodes),
+              fmt::format("{:.1f} s of silence in {:.1f} s, {} PROGRESS", gap, work, signs));
+  }
+  return fmt::format("{:.1f} s of work on {} nodes: {} PROGRESS, never {:.2f} s without", work, nodes / 4,
+                     signs, gap);
+}
+
+}  // namespace
+
+std::vector<Check> deadline_checks() {
+  return {
+      {.name = "deadline.silent_coupler",
+       .contract = contract,
+       .expected = "a coupler that says nothing for coupler_deadline is given up: the process ends by itself",
+       .carry_out = silent_coupler},
+      {.name = "deadline.kept_alive",
+       .contract = contract,
+       .expected = "PROGRESS of the coupler is a word, too: the process stays",
+       .carry_out = kept_alive},
+      {.name = "deadline.coupler_gone",
+       .contract = contract,
+       .expected = "the process ends by itself when the connection of the coupler ends",
+       .carry_out = coupler_gone},
+      {.name = "deadline.coupler_fails",
+       .contract = contract,
+       .expected = "the process ends after FAIL of the coupler",
+       .carry_out = coupler_fails},
+      {.name = "deadline.progress",
+       .contract = contract,
+       .expected = "a solver at work is never silent for a second",
+       .carry_out = tells_of_progress},
+      {.name = "signal.stop",
+       .contract = contract,
+       .expected = "SIGTERM is passed on as PROGRESS with stop_signal, and the process goes on serving",
+       .carry_out = passes_stop_on},
+      {.name = "signal.interrupt",
+       .contract = contract,
+       .expected = "SIGINT does not end it",
+       .carry_out = ignores_interrupt},
+      {.name = "end.finish",
+       .contract = "flow_solvers.md 2.2",
+       .expected = "FINISH is answered by BYE with figures, and the process ends with 0 once BYE is returned",
+       .carry_out = finishes},
+  };
+}
+
+}  // namespace fissura::coupler::conformance
