@@ -53,6 +53,7 @@ std::vector<Check> order_checks();
 std::vector<Check> insertion_checks();
 std::vector<Check> report_checks();
 std::vector<Check> state_checks();
+std::vector<Check> neutral_checks();
 std::vector<Check> damage_checks();
 std::vector<Check> deadline_checks();
 

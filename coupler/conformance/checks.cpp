@@ -13,6 +13,7 @@ std::vector<Check> all_checks() {
            insertion_checks,
            report_checks,
            state_checks,
+           neutral_checks,
            damage_checks,
            deadline_checks,
        }) {

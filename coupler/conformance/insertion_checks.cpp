@@ -181,6 +181,29 @@ std::string fills_the_new_node(const Candidate& candidate) {
                      count - PumpedSlit::nodes);
 }
 
+/// Pore fluid that a natural fracture brings along is found, not injected.
+std::string finds_pore_fluid(const Candidate& candidate) {
+  constexpr double formation_pressure = 2e5;
+  constexpr std::size_t length = 3;
+  PumpedSlit scene(candidate);
+  scene.advance_many(4);
+  scene.driver.insert(natural_branch(scene.driver.network(), 2, length, PumpedSlit::spacing,
+                                     formation_pressure, 0, scene.time));
+  scene.last.pressure.resize(PumpedSlit::nodes + length, formation_pressure);
+  const CouplingInterval interval = scene.next(PumpedSlit::duration);
+  double expected = 0;
+  for (std::size_t i = PumpedSlit::nodes; i < PumpedSlit::nodes + length; ++i)
+    expected += thickness * scene.driver.network().nodes()[i].lumped_length * interval.aperture[i] *
+                (1 + formation_pressure / bulk_modulus);
+  scene.advance();
+  require_ratio("ledger.found [m3]", scene.last.ledger.found, expected, rounding);
+  require_balance(scene.last.ledger);
+  scene.advance();
+  require_ratio("ledger.found an interval later [m3]", scene.last.ledger.found, expected, rounding);
+  return fmt::format("{:.6g} m3 found in {} nodes, {:.6g} m3 expected", scene.last.ledger.found, length,
+                     expected);
+}
+
 std::string grows_many_times(const Candidate& candidate) {
   PumpedSlit scene(candidate);
   constexpr int insertions = 20;
@@ -228,6 +251,11 @@ std::vector<Check> insertion_checks() {
        .contract = contract,
        .expected = "arrays are in the order in which nodes were inserted, whatever their ids",
        .carry_out = fills_the_new_node},
+      {.name = "insertion.natural_branch",
+       .contract = "flow_solvers.md 3.7",
+       .expected = "saturated nodes bring their pore fluid, l H aperture (1 + p_0 / K_f), once, as `found`",
+       .physics = {claims::natural_fractures},
+       .carry_out = finds_pore_fluid},
       {.name = "insertion.twenty_times",
        .contract = contract,
        .expected = "the ledger closes through twenty insertions",
