@@ -102,6 +102,27 @@ std::string accepts_rejection(const Candidate& candidate) {
   return require_end(driver, Seconds(3), {role_taken}, "REJECT");
 }
 
+std::string dry_case(const Candidate& candidate) {
+  Case dry = pumped_case();
+  dry.injection = {};
+  dry.fluids.clear();
+  Insertion slit = straight_slit(PumpedSlit::nodes, PumpedSlit::spacing, PumpedSlit::nodes / 2);
+  slit.new_perforations.clear();
+  slit.new_nodes[PumpedSlit::nodes / 2].role = NodeRole::interior;
+  PumpedSlit scene(candidate, dry, slit);
+  scene.advance_many(2);
+  require_all_within("pressure of node", scene.last.pressure, 0, 0);
+  require_all_within("filled of node", scene.last.filled, 0, 0);
+  require_all_within("aperture_predicted of node", scene.last.aperture_predicted, scene.springs.aperture,
+                     scene.springs.aperture);
+  const FluidLedger& ledger = scene.last.ledger;
+  require_all_within(
+      "ledger entry",
+      {ledger.injected, ledger.in_place, ledger.found, ledger.in_fractures, ledger.leaked, ledger.reset}, 0,
+      0);
+  return "no pressure, nothing filled, apertures as given, a ledger of zeros";
+}
+
 std::string stamps(const Candidate& candidate) {
   PumpedSlit scene(candidate);
   scene.advance_many(2);
@@ -141,6 +162,10 @@ std::vector<Check> handshake_checks() {
        .contract = contract,
        .expected = "a case with a negative viscosity is refused with FAIL 10 before anything is solved",
        .carry_out = refuses_impossible_case},
+      {.name = "handshake.dry_case",
+       .contract = contract,
+       .expected = "in a case without perforations every pressure is 0 and the ledger is empty",
+       .carry_out = dry_case},
       {.name = "handshake.reject",
        .contract = contract,
        .expected = "after REJECT the process ends with the exit code that it names",

@@ -204,6 +204,22 @@ std::string finds_pore_fluid(const Candidate& candidate) {
                      expected);
 }
 
+std::string two_at_a_time(const Candidate& candidate) {
+  PumpedSlit scene(candidate);
+  scene.driver.insert(tip_growth(scene.driver.network(), PumpedSlit::spacing, 0));
+  scene.advance_many(2);
+  const double in_place = thickness * scene.springs.aperture *
+                          integral(scene.driver.network(), std::vector<double>(PumpedSlit::nodes + 1, 1.0));
+  require_ratio("ledger.in_place [m3]", scene.last.ledger.in_place, in_place, rounding);
+  scene.driver.insert(junction(scene.driver.network(), 2, 2, PumpedSlit::spacing, scene.time));
+  scene.driver.insert(tip_growth(scene.driver.network(), PumpedSlit::spacing, scene.time));
+  scene.advance_many(2);
+  require_balance(scene.last.ledger);
+  require_ratio("ledger.injected [m3]", scene.last.ledger.injected, PumpedSlit::rate * scene.time, 1e-9);
+  return fmt::format("revision {}; in place {:.6g} m3, with the node that joined before the first interval",
+                     scene.driver.network().revision(), scene.last.ledger.in_place);
+}
+
 std::string grows_many_times(const Candidate& candidate) {
   PumpedSlit scene(candidate);
   constexpr int insertions = 20;
@@ -256,6 +272,11 @@ std::vector<Check> insertion_checks() {
        .expected = "saturated nodes bring their pore fluid, l H aperture (1 + p_0 / K_f), once, as `found`",
        .physics = {claims::natural_fractures},
        .carry_out = finds_pore_fluid},
+      {.name = "insertion.two_at_a_time",
+       .contract = contract,
+       .expected =
+           "an insertion before the first interval counts as in place; two may come between two intervals",
+       .carry_out = two_at_a_time},
       {.name = "insertion.twenty_times",
        .contract = contract,
        .expected = "the ledger closes through twenty insertions",
