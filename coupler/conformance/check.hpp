@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <set>
 #include <stdexcept>
@@ -13,8 +14,9 @@ namespace fissura::coupler::conformance {
 
 /// The flow solver under test.
 struct Candidate {
-  std::string command;   ///< shell command; `--connect ENDPOINT` is appended
-  Seconds patience{10};  ///< for any answer
+  std::string command;      ///< shell command; `--connect ENDPOINT` is appended
+  Seconds patience{10};     ///< for any answer
+  std::uint32_t epoch = 0;  ///< how often the run in which it takes part has been resumed
 };
 
 /// Thrown by a check where the contract is not kept.

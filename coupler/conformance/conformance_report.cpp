@@ -35,10 +35,16 @@ std::string lines_of(const Outcome& outcome) {
   if (outcome.verdict != Verdict::failed)
     return fmt::format("{:<12}{:<34}{:6.2f} s  {}\n", name(outcome.verdict), outcome.name, outcome.seconds,
                        shortened(outcome.obtained));
-  return fmt::format(
-      "{:<12}{:<34}{:6.2f} s\n            expected  {}\n            obtained  {}\n            contract  {}\n",
-      name(outcome.verdict), outcome.name, outcome.seconds, outcome.expected, outcome.obtained,
-      outcome.contract);
+  std::string text =
+      fmt::format("{:<12}{:<34}{:6.2f} s\n", name(outcome.verdict), outcome.name, outcome.seconds);
+  const auto line = [&text](const char* key, const std::string& value) {
+    text += fmt::format("            {:<10}{}\n", key, value);
+  };
+  if (outcome.promise != outcome.expected) line("promise", outcome.promise);
+  line("expected", outcome.expected);
+  line("obtained", outcome.obtained);
+  line("contract", outcome.contract);
+  return text;
 }
 
 std::string heading(const Greeting& greeting) {
@@ -75,6 +81,7 @@ nlohmann::json report_json(const ConformanceResult& result, const std::string& c
     report["checks"].push_back({{"name", outcome.name},
                                 {"contract", outcome.contract},
                                 {"verdict", key_of(outcome.verdict)},
+                                {"promise", outcome.promise},
                                 {"expected", outcome.expected},
                                 {"obtained", outcome.obtained},
                                 {"seconds", outcome.seconds}});

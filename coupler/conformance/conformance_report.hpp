@@ -9,8 +9,8 @@
 /// The outcomes for people and for scripts.
 namespace fissura::coupler::conformance {
 
-/// One line; a failure has three more, with what was expected, what was obtained, and where the contract says
-/// so.
+/// One line; a failure has more: the promise, what of it was expected, what was obtained, and where the
+/// contract says so.
 std::string lines_of(const Outcome& outcome);
 
 /// Who is tested.
@@ -21,7 +21,7 @@ std::string closing(const ConformanceResult& result);
 std::string listing(const std::vector<Check>& checks);
 
 /// {"solver", "version", "physics" (null: not told), "capabilities", "command", "checks": [{"name",
-/// "contract", "verdict", "expected", "obtained", "seconds"}], "passed", "failed", "not_claimed"}
+/// "contract", "verdict", "promise", "expected", "obtained", "seconds"}], "passed", "failed", "not_claimed"}
 nlohmann::json report_json(const ConformanceResult& result, const std::string& command);
 
 }  // namespace fissura::coupler::conformance

@@ -34,7 +34,7 @@ void carry_out(const Check& check, const Candidate& candidate, Outcome& outcome)
     outcome.obtained = check.carry_out(candidate);
     outcome.verdict = Verdict::passed;
   } catch (const Deviation& deviation) {
-    outcome.expected += ": " + deviation.expected();
+    outcome.expected = deviation.expected();
     outcome.obtained = deviation.obtained();
   } catch (const Error& fault) {
     outcome.obtained = fault.what();
@@ -42,7 +42,11 @@ void carry_out(const Check& check, const Candidate& candidate, Outcome& outcome)
 }
 
 Outcome outcome_of(const Check& check, const Candidate& candidate, const Greeting& greeting) {
-  Outcome outcome{.name = check.name, .contract = check.contract, .expected = check.expected, .obtained = {}};
+  Outcome outcome{.name = check.name,
+                  .contract = check.contract,
+                  .promise = check.expected,
+                  .expected = check.expected,
+                  .obtained = {}};
   if (const std::string lacking = not_claimed(check, greeting); !lacking.empty()) {
     outcome.verdict = Verdict::not_claimed;
     outcome.obtained = "the solver does not claim " + lacking;

@@ -21,7 +21,9 @@ enum class Verdict {
 const char* name(Verdict verdict);
 
 struct Outcome {
-  std::string name, contract, expected, obtained;
+  std::string name, contract;
+  std::string promise;             ///< `expected` of the check
+  std::string expected, obtained;  ///< the same, and what was obtained; of a failure, what failed of it
   Verdict verdict = Verdict::failed;
   double seconds = 0;  ///< wall
 };

@@ -138,6 +138,27 @@ std::vector<Check> damage_checks() {
                   message.add("arm_aperture_b", "m", arms);
                 }),
 
+      misspoken("values.nan_arm", "an arm aperture that is not a number", {23},
+                [](Message& message) {
+                  std::vector<double> arms(PumpedSlit::nodes - 1, 1e-4);
+                  message.add("arm_aperture_a", "m", arms);
+                  arms[5] = std::numeric_limits<double>::quiet_NaN();
+                  message.add("arm_aperture_b", "m", arms);
+                }),
+      misspoken("values.one_side_of_arms", "arm apertures of one end only", {22},
+                [](Message& message) {
+                  const std::vector<double> arms(PumpedSlit::nodes - 1, 1e-4);
+                  message.add("arm_aperture_a", "m", arms);
+                }),
+      misspoken("values.end_no_number", "an end that is no number", {22},
+                [](Message& message) { message.body["end"] = nullptr; }),
+      misspoken("values.column_too_many", "apertures in two columns", {22},
+                [](Message& message) {
+                  Array& aperture = array_named(message, "aperture");
+                  aperture.shape.push_back(2);
+                  aperture.bytes.resize(2 * aperture.bytes.size());
+                }),
+
       // ---- how it arrives -----------------------------------------------------------------------------
       spoilt("message.damaged_array", "a flipped bit in its last array", {22},
              [](Frames& frames) { flip(frames, std::nullopt, 60); }),

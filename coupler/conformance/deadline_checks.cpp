@@ -92,6 +92,18 @@ std::string finishes(const Candidate& candidate) {
   return fmt::format("BYE with {} figures, exit code 0", figures.size());
 }
 
+/// What is on its way when a process ends may be lost with its connection.
+std::string waits_for_bye(const Candidate& candidate) {
+  PumpedSlit scene(candidate);
+  scene.advance();
+  (void)scene.driver.request(scene.driver.command(MessageType::finish), MessageType::bye);
+  constexpr Seconds short_wait{0.3};
+  if (const std::optional<ProcessEnd> end = scene.driver.participant().wait_for_end(short_wait))
+    throw Deviation("the process to wait for the BYE of the coupler", "its process " + in_words(*end));
+  scene.driver.participant().say(Message(MessageType::bye));
+  return require_end(scene.driver, Seconds(2), {0}, "the BYE of the coupler");
+}
+
 /// The process that said HELLO, if it is one of those that were started here; else the one that was started.
 void send_signal(Driver& driver, int signal) {
   const auto pid = static_cast<pid_t>(driver.greeting().pid);
@@ -206,6 +218,10 @@ std::vector<Check> deadline_checks() {
        .contract = "flow_solvers.md 2.2",
        .expected = "FINISH is answered by BYE with figures, and the process ends with 0 once BYE is returned",
        .carry_out = finishes},
+      {.name = "end.waits_for_bye",
+       .contract = "flow_solvers.md 2.2",
+       .expected = "after BYE the process ends with 0 once the coupler has returned it, not before",
+       .carry_out = waits_for_bye},
   };
 }
 

@@ -61,7 +61,10 @@ FluidLedger ledger_of(const nlohmann::json& object) {
 }
 
 DrivenOptions options_of(const Candidate& candidate) {
-  return {.command = candidate.command, .run = conformance_run_id(), .epoch = 0, .printed = Printed::kept};
+  return {.command = candidate.command,
+          .run = conformance_run_id(),
+          .epoch = candidate.epoch,
+          .printed = Printed::kept};
 }
 
 }  // namespace
@@ -167,7 +170,7 @@ nlohmann::json Driver::finish() {
   if (!end)
     throw Deviation("the end of the process after BYE",
                     fmt::format("it is alive after {} s", farewell.count()));
-  if (end->signal || end->exit_code != 0) throw Deviation("exit code 0 after BYE", end->sentence());
+  if (end->signal || end->exit_code != 0) throw Deviation("exit code 0 after BYE", in_words(*end));
   return entry<nlohmann::json>(bye.body, "figures");
 }
 

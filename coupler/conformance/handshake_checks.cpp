@@ -26,6 +26,31 @@ std::string hello(const Candidate& candidate) {
   return fmt::format("{} {}, process {}", greeting.solver, greeting.version, greeting.pid);
 }
 
+/// A word that is spelt wrong would claim nothing, and no check of it would be carried out.
+std::string claims_known_words(const Candidate& candidate) {
+  const std::set<std::string> physics{
+      claims::viscous_flow,     claims::leak_off,          claims::power_law,     claims::several_fluids,
+      claims::pressure_control, claims::natural_fractures, claims::carry_pressure};
+  const std::set<std::string> capabilities{"insert", "report", "save", "restore", "neutral_state", "stack"};
+  Driver driver(candidate);
+  for (const std::string& word : driver.greeting().capabilities)
+    require(capabilities.contains(word), "capabilities of flow_solvers.md 2.1", "\"" + word + "\"");
+  if (!driver.greeting().physics) return "it does not tell its physics: all of it is assumed";
+  for (const std::string& word : *driver.greeting().physics)
+    require(physics.contains(word), "physics of flow_solvers.md 2.1", "\"" + word + "\"");
+  return fmt::format("{} words of physics, {} of capabilities", driver.greeting().physics->size(),
+                     driver.greeting().capabilities.size());
+}
+
+std::string keeps_epoch(const Candidate& candidate) {
+  Candidate resumed = candidate;
+  resumed.epoch = 3;
+  PumpedSlit scene(resumed);
+  scene.advance_many(2);
+  return fmt::format("all messages after WELCOME of epoch 3 carry {}",
+                     scene.driver.participant().last_stamp().epoch);
+}
+
 std::string refuses_other_major(const Candidate& candidate) {
   Driver driver(candidate);
   Frames welcome = driver.participant().stamped(driver.welcome_message(pumped_case()));
@@ -146,6 +171,14 @@ std::vector<Check> handshake_checks() {
        .expected =
            "every message carries the run and epoch of WELCOME (HELLO: zeros) and the next sequence number",
        .carry_out = stamps},
+      {.name = "handshake.claims",
+       .contract = contract,
+       .expected = "capabilities and physics are words of the contract",
+       .carry_out = claims_known_words},
+      {.name = "handshake.epoch",
+       .contract = contract,
+       .expected = "the epoch is that of WELCOME, whichever it is",
+       .carry_out = keeps_epoch},
       {.name = "handshake.other_major_version",
        .contract = contract,
        .expected = "WELCOME of another major version is refused",

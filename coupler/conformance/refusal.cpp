@@ -15,8 +15,7 @@ constexpr Seconds farewell{3.0};
 
 std::string listed(const std::set<int>& codes) {
   std::string text;
-  for (const int code : codes)
-    text += fmt::format("{}{} ({})", text.empty() ? "" : " or ", code, name(static_cast<ExitCode>(code)));
+  for (const int code : codes) text += fmt::format("{}{}", text.empty() ? "" : " or ", code);
   return text;
 }
 
@@ -62,8 +61,8 @@ std::string require_end(Driver& driver, Seconds patience, const std::set<int>& c
                                            listed(codes), patience.count(), why);
   if (!end) throw Deviation(expected, "it is still alive");
   if (end->signal || !codes.contains(end->exit_code))
-    throw Deviation(expected, "its process " + end->sentence());
-  return "its process " + end->sentence();
+    throw Deviation(expected, "its process " + in_words(*end));
+  return "its process " + in_words(*end);
 }
 
 }  // namespace fissura::coupler::conformance

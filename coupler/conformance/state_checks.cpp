@@ -54,7 +54,9 @@ void begin(PumpedSlit& scene) {
 /// Answers of another process that goes on from `state` as `scene` does now.
 std::vector<FlowAnswer> answers_after_restoring(const Candidate& candidate, const PumpedSlit& scene,
                                                 const Message& state) {
-  Driver driver(candidate);
+  Candidate resumed = candidate;
+  resumed.epoch = 1;
+  Driver driver(resumed);
   driver.resume(pumped_case(), scene.driver.insertions(), scene.driver.interval(), state);
   std::vector<FlowAnswer> answers;
   std::vector<double> pressure = scene.last.pressure;

@@ -34,6 +34,11 @@ DecodedMessage decoded(const Frames& frames) {
 
 }  // namespace
 
+std::string in_words(const ProcessEnd& end) {
+  // A program that knows nothing of our codes ends with 1 when it breaks down.
+  return !end.signal && end.exit_code == 1 ? "ended with exit code 1" : end.sentence();
+}
+
 std::string in_words(const Heard& heard) {
   return std::visit(
       Overloaded{[](const Message& message) { return std::string(name(message.type)); },
@@ -43,7 +48,7 @@ std::string in_words(const Heard& heard) {
                  [](const Nonsense& nonsense) { return "a message that is no good: " + nonsense.reason; },
                  [](const Silence&) { return std::string("nothing within the time"); },
                  [](const ConnectionLost&) { return std::string("the end of its connection"); },
-                 [](const ProcessEnd& end) { return "its process " + end.sentence(); }},
+                 [](const ProcessEnd& end) { return "its process " + in_words(end); }},
       heard);
 }
 

@@ -45,6 +45,8 @@ using Heard = std::variant<Message, ToldFailure, Nonsense, Silence, ConnectionLo
 
 /// The same in words: "PRESSURE", "FAIL 22: ...", "nothing within 2 s", "its process ended with ...".
 std::string in_words(const Heard& heard);
+/// "ended with exit code 22 (PROTOCOL-VIOLATION)", "was killed by signal 9 (...)".
+std::string in_words(const ProcessEnd& end);
 
 struct HeardProgress {
   double time = 0;  ///< wall, since the last message that was said to it [s]

@@ -17,18 +17,21 @@ ConformanceResult some_result() {
                      .physics = std::set<std::string>{"leak_off"}};
   result.outcomes = {{.name = "a.one",
                       .contract = "flow_solvers.md 5",
+                      .promise = "x is kept",
                       .expected = "x: 1",
                       .obtained = "2",
                       .verdict = Verdict::failed,
                       .seconds = 0.25},
                      {.name = "a.two",
                       .contract = "flow_solvers.md 6.1",
+                      .promise = "y",
                       .expected = "y",
                       .obtained = "done",
                       .verdict = Verdict::passed,
                       .seconds = 0.5},
                      {.name = "b.one",
                       .contract = "flow_solvers.md 3.5",
+                      .promise = "z",
                       .expected = "z",
                       .obtained = "the solver does not claim power_law",
                       .verdict = Verdict::not_claimed,
@@ -43,7 +46,8 @@ TEST_CASE(
     "[coupler][conformance]") {
   const std::string lines = lines_of(some_result().outcomes[0]);
   CHECK(lines.starts_with("FAILED"));
-  for (const char* part : {"a.one", "expected  x: 1\n", "obtained  2\n", "contract  flow_solvers.md 5\n"})
+  for (const char* part : {"a.one", "promise   x is kept\n", "expected  x: 1\n", "obtained  2\n",
+                           "contract  flow_solvers.md 5\n"})
     CHECK(lines.find(part) != std::string::npos);
 }
 
