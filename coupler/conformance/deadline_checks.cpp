@@ -19,7 +19,7 @@ namespace fissura::coupler::conformance {
 namespace {
 
 constexpr const char* contract = "flow_solvers.md 2.3";
-constexpr double short_deadline = 1;  // of the coupler, told in WELCOME [s]
+constexpr double short_deadline = 1.5;  // of the coupler, told in WELCOME [s]
 /// Beyond a deadline, for looking at the clock and for ending.
 constexpr Seconds grace{2.5};
 
@@ -53,8 +53,8 @@ std::string silent_coupler(const Candidate& candidate) {
 std::string kept_alive(const Candidate& candidate) {
   Driver driver(candidate);
   begin(driver);
-  constexpr auto between = std::chrono::milliseconds(400);
-  constexpr int signs = 5;
+  constexpr Seconds between{0.4};
+  constexpr int signs = 6;
   for (int k = 0; k < signs; ++k) {
     std::this_thread::sleep_for(between);
     Message sign(MessageType::progress);
@@ -62,7 +62,8 @@ std::string kept_alive(const Candidate& candidate) {
     driver.participant().say(std::move(sign));
   }
   (void)driver.advance(spring_interval({}, driver.network(), 0, PumpedSlit::duration, {}));
-  return fmt::format("an interval was answered after {:g} s of nothing but PROGRESS", signs * 0.4);
+  return fmt::format("an interval was answered after {:g} s of nothing but PROGRESS",
+                     signs * between.count());
 }
 
 std::string coupler_gone(const Candidate& candidate) {
@@ -157,29 +158,43 @@ double longest_gap(const std::vector<HeardProgress>& progress, double answered) 
   return std::max(longest, answered - before);
 }
 
+struct Work {
+  std::size_t nodes = 0, signs = 0;
+  double seconds = 0;  ///< from the command to the answer, wall
+  double gap = 0;      ///< longest time without a word in them [s]
+};
+
+Work work_on(const Candidate& candidate, std::size_t nodes) {
+  constexpr double length = 4;  // of the slit [m]
+  Candidate patient = candidate;
+  patient.patience = Seconds(60);
+  PumpedSlit scene(patient, pumped_case(),
+                   straight_slit(nodes, length / static_cast<double>(nodes), nodes / 2));
+  const double start = now();
+  scene.advance(PumpedSlit::duration);
+  Work work{.nodes = nodes, .signs = scene.driver.participant().progress().size(), .seconds = now() - start};
+  work.gap = longest_gap(scene.driver.participant().progress(), work.seconds);
+  return work;
+}
+
+/// Ever more nodes, until an interval takes long. A busy machine may hold a process up once, not always.
 std::string tells_of_progress(const Candidate& candidate) {
   constexpr double long_work = 1.5;
-  constexpr double warned_of = 1;  // a tenth of the usual deadlines.progress
-  double work = 0, gap = 0;
-  std::size_t nodes = 200, signs = 0;
-  for (; nodes <= 12800 && work < long_work; nodes *= 4) {
-    constexpr double length = 4;  // of the slit [m]
-    Candidate patient = candidate;
-    patient.patience = Seconds(60);
-    PumpedSlit scene(patient, pumped_case(),
-                     straight_slit(nodes, length / static_cast<double>(nodes), nodes / 2));
-    const double start = now();
-    scene.advance(PumpedSlit::duration);
-    work = now() - start;
-    gap = longest_gap(scene.driver.participant().progress(), work);
-    signs = scene.driver.participant().progress().size();
-    if (work > warned_of)
-      require(gap <= warned_of,
-              fmt::format("PROGRESS at least every {:g} s while at work on {} nodes", warned_of, nodes),
-              fmt::format("{:.1f} s of silence in {:.1f} s, {} PROGRESS", gap, work, signs));
+  constexpr double longest_silence = 1;
+  constexpr std::size_t most_nodes = 12800;
+  constexpr int attempts = 3;
+  Work work;
+  for (std::size_t nodes = 200; nodes <= most_nodes && work.seconds < long_work; nodes *= 4) {
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+      work = work_on(candidate, nodes);
+      if (work.gap <= longest_silence) break;
+    }
+    require(work.gap <= longest_silence,
+            fmt::format("PROGRESS at least every {:g} s while at work on {} nodes", longest_silence, nodes),
+            fmt::format("{:.1f} s of silence in {:.1f} s, {} PROGRESS", work.gap, work.seconds, work.signs));
   }
-  return fmt::format("{:.1f} s of work on {} nodes: {} PROGRESS, never {:.2f} s without", work, nodes / 4,
-                     signs, gap);
+  return fmt::format("{:.1f} s of work on {} nodes: {} PROGRESS, never {:.2f} s without", work.seconds,
+                     work.nodes, work.signs, work.gap);
 }
 
 }  // namespace

@@ -220,6 +220,97 @@ std::string two_at_a_time(const Candidate& candidate) {
                      scene.driver.network().revision(), scene.last.ledger.in_place);
 }
 
+/// l v is moved with the fluid: the book of leak-off goes on through a growth, a split and an arm.
+std::string keeps_leaked_volume(const Candidate& candidate) {
+  constexpr double coefficient = 1e-6;
+  Case run_case = pumped_case();
+  run_case.leak_off.coefficient = coefficient;
+  PumpedSlit scene(candidate, run_case,
+                   straight_slit(PumpedSlit::nodes, PumpedSlit::spacing, PumpedSlit::nodes / 2));
+  const MakeInsertion insertions[] = {
+      [](const FractureNetwork& network, double time) {
+        return tip_growth(network, PumpedSlit::spacing, time);
+      },
+      [](const FractureNetwork& network, double time) { return split_segment(network, 5, time); },
+      [](const FractureNetwork& network, double time) {
+        return junction(network, 2, 2, PumpedSlit::spacing, time);
+      }};
+  for (const MakeInsertion& make : insertions) {
+    scene.advance_many(2);
+    const double before = scene.last.ledger.leaked;
+    scene.driver.insert(make(scene.driver.network(), scene.time));
+    scene.advance();
+    require_balance(scene.last.ledger);
+    // Never more than Carter asks of faces that were all exposed at time 0.
+    const double length =
+        integral(scene.driver.network(), std::vector<double>(scene.last.pressure.size(), 1.0));
+    require_within("ledger.leaked [m3]", scene.last.ledger.leaked, before,
+                   thickness * length * 4 * coefficient * std::sqrt(scene.time));
+  }
+  return fmt::format("{:.4g} m3 leaked, residual {:.1e} m3", scene.last.ledger.leaked,
+                     scene.last.ledger.residual());
+}
+
+/// Of each node, what the last interval brought it per area of face, times its length [m2].
+std::vector<double> gains(PumpedSlit& scene, const CouplingInterval& interval) {
+  const std::vector<double> before = content_of(scene.last, bulk_modulus);
+  const FlowAnswer answer = scene.driver.advance(interval);
+  std::vector<double> gained = content_of(answer, bulk_modulus);
+  for (std::size_t i = 0; i < gained.size(); ++i) {
+    if (i < before.size()) gained[i] -= before[i];
+    gained[i] *= scene.driver.network().nodes()[i].lumped_length;
+  }
+  return gained;
+}
+
+constexpr double pumped_area = PumpedSlit::rate / thickness * PumpedSlit::duration;  // of an interval [m2]
+constexpr double narrow_arm = 1e-5, wide_arm = 2e-4;
+
+/// A segment that is removed leaves no gap: arrays of segments are in the order of what is left.
+std::string order_of_segments(const Candidate& candidate) {
+  constexpr std::size_t removed = 1, well = PumpedSlit::nodes / 2;
+  PumpedSlit scene(candidate);
+  scene.advance_many(2);
+  scene.driver.insert(split_segment(scene.driver.network(), removed, scene.time));
+  scene.last.pressure.push_back(scene.last.pressure[removed]);
+  scene.advance();
+  CouplingInterval interval = scene.next(PumpedSlit::duration);
+  const std::size_t segments = scene.driver.network().segments().size();
+  interval.arm_aperture_a.assign(segments, narrow_arm);
+  interval.arm_aperture_b.assign(segments, narrow_arm);
+  const std::size_t to_east =
+      well - 1;  // the segment from the well to its east, now that one before it is gone
+  interval.arm_aperture_a[to_east] = interval.arm_aperture_b[to_east] = wide_arm;
+  const std::vector<double> gained = gains(scene, interval);
+  require_within("share of the fluid that goes through the only wide segment, from the well to its east",
+                 gained[well + 1] / pumped_area, 0.05, 1);
+  require_within("share that goes through narrow arms to its west", gained[well - 1] / pumped_area, -0.01,
+                 0.01);
+  return fmt::format("{:.0f} % through the wide segment, {:.2g} % through a narrow one",
+                     100 * gained[well + 1] / pumped_area, 100 * gained[well - 1] / pumped_area);
+}
+
+/// All perforations share one well pressure.
+std::string new_perforation(const Candidate& candidate) {
+  PumpedSlit scene(candidate);
+  scene.advance_many(2);
+  Insertion insertion;
+  insertion.revision = 1;
+  insertion.new_perforations.push_back({"second", scene.driver.network().nodes().front().id});
+  scene.driver.insert(insertion);
+  CouplingInterval interval = scene.next(PumpedSlit::duration);
+  const std::size_t segments = scene.driver.network().segments().size();
+  interval.arm_aperture_a.assign(segments, narrow_arm);
+  interval.arm_aperture_b.assign(segments, narrow_arm);
+  const std::vector<double> gained = gains(scene, interval);
+  double sum = 0;
+  for (const double each : gained) sum += each;
+  require_ratio("fluid gained by all nodes [m2]", sum, pumped_area, solution_tolerance);
+  require_within("share that the new perforation takes", gained.front() / pumped_area, 0.2, 1.5);
+  return fmt::format("{:.0f} % of what is pumped goes into the perforation that joined",
+                     100 * gained.front() / pumped_area);
+}
+
 std::string grows_many_times(const Candidate& candidate) {
   PumpedSlit scene(candidate);
   constexpr int insertions = 20;
@@ -272,6 +363,19 @@ std::vector<Check> insertion_checks() {
        .expected = "saturated nodes bring their pore fluid, l H aperture (1 + p_0 / K_f), once, as `found`",
        .physics = {claims::natural_fractures},
        .carry_out = finds_pore_fluid},
+      {.name = "insertion.leaked_volume",
+       .contract = contract,
+       .expected = "the leaked volume l v is what it was, and the ledger closes with leak-off",
+       .physics = {claims::leak_off},
+       .carry_out = keeps_leaked_volume},
+      {.name = "insertion.order_of_segments",
+       .contract = contract,
+       .expected = "arrays of segments are in the order of what is left after removals",
+       .carry_out = order_of_segments},
+      {.name = "insertion.new_perforation",
+       .contract = contract,
+       .expected = "a perforation that joins shares the well pressure and takes its part of the rate",
+       .carry_out = new_perforation},
       {.name = "insertion.two_at_a_time",
        .contract = contract,
        .expected =

@@ -77,7 +77,7 @@ DrivenParticipant::~DrivenParticipant() {
 std::vector<std::string> DrivenParticipant::command_line(const DrivenOptions& options) const {
   std::string line =
       fmt::format("exec {} --connect 'ipc://{}'", options.command, (place_ / "socket").string());
-  if (options.printed == Printed::kept) line += fmt::format(" 2>'{}'", (place_ / "printed").string());
+  if (options.printed == Printed::kept) line += fmt::format(" >'{}' 2>&1", (place_ / "printed").string());
   return {"/bin/sh", "-c", line};
 }
 

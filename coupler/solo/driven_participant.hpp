@@ -20,7 +20,7 @@
 
 namespace fissura::coupler {
 
-/// What becomes of what a participant prints on standard error.
+/// What becomes of what a participant prints.
 enum class Printed { shown, kept };
 
 struct DrivenOptions {
@@ -95,7 +95,7 @@ class DrivenParticipant {
   /// How the process ended, if it does within `patience`.
   std::optional<ProcessEnd> wait_for_end(Seconds patience);
 
-  /// What it printed on standard error so far; empty if that is shown.
+  /// What it printed so far; empty if that is shown.
   [[nodiscard]] std::string printed() const;
 
  private:
