@@ -15,6 +15,12 @@ namespace fissura::structure {
 /// (loading_ratio time / (4 half_length))^2 G / density  [-]; time [s], half length of the fracture [m] > 0.
 double quasi_static_mass_scale(const Rock& rock, double loading_ratio, double time, double half_length);
 
+/// Rate, pressure or fluid change at `time` [s], reached within `ramp` [s].
+struct PumpEvent {
+  double time = 0;
+  double ramp = 0;
+};
+
 /// The mass scale through a run: it follows the pumping time, starts again from small at a change of the
 /// pumping, falls at once, and grows by steps.
 class MassScaling {
@@ -41,11 +47,6 @@ class MassScaling {
   void restore(ByteReader& bytes);
 
  private:
-  struct PumpEvent {
-    double time = 0;
-    double ramp = 0;
-  };
-
   [[nodiscard]] double target(double time, double half_length) const;
 
   Dynamics dynamics_;
