@@ -59,7 +59,16 @@ std::string run_text(const fs::path& file, const RunDescription& description) {
 }
 
 std::string started_of(const std::string& run_text) {
-  return nlohmann::json::parse(run_text).at("started").get<std::string>();
+  return opened_run_text(run_text).at("started").get<std::string>();
+}
+
+std::string started_in_state(const std::string& run_text) {
+  try {
+    return started_of(run_text);
+  } catch (const std::exception& fault) {
+    throw Error(ExitCode::checkpoint_unusable,
+                fmt::format("{} in the state of the record: {}", run_name, fault.what()));
+  }
 }
 
 /// Says that the run is finished: it goes before anything else is changed.
@@ -174,6 +183,7 @@ void RunRecord::resume(const RunDescription& description, const std::vector<std:
   archive.get(sources_);
   archive.get(parts_bytes);
   archive.end();
+  started_ = started_in_state(run_json_);
 
   remove_signs_of_the_end(directory());
   events_.emplace(directory() / "log.jsonl");
@@ -185,7 +195,6 @@ void RunRecord::resume(const RunDescription& description, const std::vector<std:
   segments_.resume(marks, parts);
   parts.end();
   write_whole_file(directory() / "effective_case.json", description.effective_case.dump(2) + "\n");
-  started_ = started_of(run_json_);
   write_whole_file(directory() / run_name, run_json_);
   for (const char* name : {"fields.xdmf", "fractures.xdmf", "joints.xdmf"}) remove_file(directory() / name);
   if (!segments_.closed().reports.empty()) write_xdmf(directory(), segments_.closed());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <fstream>
@@ -177,6 +178,29 @@ TEST_CASE("a state of the record that is cut off or of another program is refuse
   }
   state[8] = std::byte{'x'};
   CHECK_THROWS_WITH(RunRecord::check(folder.path(), state), Catch::Contains("another version"));
+}
+
+TEST_CASE(
+    "a run.json in the state of the record that is not as it was closed is refused before anything changes",
+    "[coupler][record][resume]") {
+  const sample::TemporaryDirectory folder;
+  const std::vector<std::byte> state = begun_run(folder.path(), 6, 8);
+  const auto before = sample::comparable_files(folder.path());
+  constexpr std::string_view entry = "\"started\"";
+  const auto found = std::search(state.begin(), state.end(), entry.begin(), entry.end(),
+                                 [](std::byte one, char other) { return static_cast<char>(one) == other; });
+  REQUIRE(found != state.end());
+  const std::ptrdiff_t quote = found - state.begin(), letter = quote + 1;
+  for (const std::ptrdiff_t place : {quote, letter}) {
+    std::vector<std::byte> changed = state;
+    changed[place] = std::byte{'x'};
+    RunRecord record(folder.path(), sample::reports_per_segment);
+    CHECK_THROWS_MATCHES(record.resume(sample::description(), changed), Error,
+                         Catch::Predicate<Error>([](const Error& fault) {
+                           return fault.code() == ExitCode::checkpoint_unusable;
+                         }));
+    CHECK(sample::differences(sample::comparable_files(folder.path()), before) == std::vector<std::string>());
+  }
 }
 
 TEST_CASE("a run without checkpoint begins anew in its directory and loses nothing that was closed",
