@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include "common/errors.hpp"
@@ -74,10 +76,15 @@ std::size_t value_size(const std::string& dtype) {
   return dtype == "uint8" ? 1 : 8;
 }
 
-std::uint64_t value_count(const std::vector<std::uint64_t>& shape) {
-  std::uint64_t count = 1;
-  for (const std::uint64_t extent : shape) count *= extent;
-  return count;
+/// Bytes of such an array; nothing if 64 bits cannot count them.
+std::optional<std::uint64_t> byte_count(const std::string& dtype, const std::vector<std::uint64_t>& shape) {
+  if (std::find(shape.begin(), shape.end(), 0) != shape.end()) return 0;
+  std::uint64_t bytes = value_size(dtype);
+  for (const std::uint64_t extent : shape) {
+    if (bytes > std::numeric_limits<std::uint64_t>::max() / extent) return std::nullopt;
+    bytes *= extent;
+  }
+  return bytes;
 }
 
 std::string dtype_of(hid_t type) {
@@ -151,8 +158,8 @@ struct Hdf5File::Handle {
 
   void create_group(const std::string& group) const {
     Identifier properties = timeless(H5P_GROUP_CREATE, group);
-    Identifier id = own(H5Gcreate2(file.id(), group.c_str(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Gclose,
-                        "create", group);
+    Identifier id = own(H5Gcreate2(file.id(), group.c_str(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
+                        H5Gclose, "create", group);
     check(id.close(), "close", group);
   }
 
@@ -225,13 +232,17 @@ Hdf5File Hdf5File::open(const std::filesystem::path& file) {
   return Hdf5File(std::make_unique<Handle>(Handle{file, std::move(id)}));
 }
 
+bool is_writable(const Array& array) {
+  return type_of(array.dtype) >= 0 && !array.shape.empty() &&
+         byte_count(array.dtype, array.shape) == array.bytes.size();
+}
+
 void Hdf5File::write(const std::string& dataset, const Array& array) {
+  ENSURE(is_writable(array));
   const hid_t type = type_of(array.dtype);
-  ENSURE(type >= 0 && !array.shape.empty());
   if (const int error = injected_error(StorageCall::write))
     throw StorageError(
         fmt::format("cannot write {} in {}: {}", dataset, handle_->path.string(), std::strerror(error)));
-  ENSURE(array.bytes.size() == value_count(array.shape) * value_size(array.dtype));
   const std::vector<hsize_t> extent(array.shape.begin(), array.shape.end());
   Identifier space = handle_->own(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr),
                                   H5Sclose, "describe", dataset);
@@ -301,7 +312,11 @@ bool Hdf5File::has(const std::string& dataset) const {
 Array Hdf5File::read(const std::string& dataset) const {
   Identifier id = handle_->open_dataset(dataset);
   Array array = handle_->describe(dataset, id.id());
-  array.bytes.resize(value_count(array.shape) * value_size(array.dtype));
+  const auto bytes = byte_count(array.dtype, array.shape);
+  if (!bytes || *bytes > std::filesystem::file_size(handle_->path))
+    throw StorageError(
+        fmt::format("{} in {} says that it is larger than the file", dataset, handle_->path.string()));
+  array.bytes.resize(*bytes);
   if (!array.bytes.empty())
     handle_->check(H5Dread(id.id(), type_of(array.dtype), H5S_ALL, H5S_ALL, H5P_DEFAULT, array.bytes.data()),
                    "read", dataset);

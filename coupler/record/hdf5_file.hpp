@@ -27,7 +27,7 @@ class Hdf5File {
   Hdf5File& operator=(Hdf5File&&) noexcept;
 
   /// Writes `array` as the new dataset `dataset` ("/reports/000001/structure/displacement"; groups on the way
-  /// are created) with its unit as attribute `unit`. array.name is not used.
+  /// are created) with its unit as attribute `unit`. array.name is not used. @pre is_writable(array)
   void write(const std::string& dataset, const Array& array);
   /// Creates a group, and those on the way.
   void create_group(const std::string& group);
@@ -55,6 +55,10 @@ class Hdf5File {
   explicit Hdf5File(std::unique_ptr<Handle> handle);
   std::unique_ptr<Handle> handle_;
 };
+
+/// Whether Hdf5File::write takes it: a type of the protocol, at least one dimension, and as many bytes as its
+/// shape says.
+bool is_writable(const Array& array);
 
 /// Version of the HDF5 library in use, e.g. "1.10.8".
 std::string hdf5_version();

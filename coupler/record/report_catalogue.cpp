@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupler/record/report_catalogue.hpp"
 
+#include <algorithm>
+
 namespace fissura::coupler {
 
 namespace {
+
+/// They are listed one by one in the files for viewers.
+constexpr std::uint64_t most_points = 1 << 22;
 
 void put(ByteWriter& archive, const StoredArray& array) {
   for (const std::string* text : {&array.name, &array.dtype, &array.unit, &array.location})
@@ -14,6 +19,12 @@ void put(ByteWriter& archive, const StoredArray& array) {
 void get(ByteReader& archive, StoredArray& array) {
   for (std::string* text : {&array.name, &array.dtype, &array.unit, &array.location}) archive.get(*text);
   archive.get(array.shape);
+  ByteReader::require(!array.shape.empty());
+}
+
+void get_table(ByteReader& archive, StoredArray& array, std::uint64_t columns) {
+  get(archive, array);
+  ByteReader::require(array.shape.size() == 2 && array.shape[1] == columns);
 }
 
 void put(ByteWriter& archive, const std::vector<StoredArray>& arrays) {
@@ -69,13 +80,14 @@ ReportCatalogue get_catalogue(ByteReader& archive) {
   ReportCatalogue catalogue;
   for (std::uint64_t left = get_count(archive); left > 0; --left) {
     StoredMesh& mesh = catalogue.meshes[get_count(archive)];
-    get(archive, mesh.position);
-    get(archive, mesh.elements);
+    get_table(archive, mesh.position, 2);
+    get_table(archive, mesh.elements, 3);
   }
   for (std::uint64_t left = get_count(archive); left > 0; --left) {
     StoredNetwork& network = catalogue.networks[get_count(archive)];
-    get(archive, network.position);
-    get(archive, network.segments);
+    get_table(archive, network.position, 2);
+    get_table(archive, network.segments, 2);
+    ByteReader::require(network.position.shape[0] <= most_points);
   }
   for (std::uint64_t left = get_count(archive); left > 0; --left) {
     StoredReport& report = catalogue.reports.emplace_back();
@@ -86,6 +98,7 @@ ReportCatalogue get_catalogue(ByteReader& archive) {
     for (auto* arrays : {&report.mesh_nodes, &report.mesh_elements, &report.network_nodes,
                          &report.network_segments, &report.joints})
       get(archive, *arrays);
+    for (const StoredArray& array : report.joints) ByteReader::require(array.shape[0] <= most_points);
   }
   for (std::uint64_t left = get_count(archive); left > 0; --left) {
     StoredSources& sources = catalogue.sources.emplace_back();
@@ -94,6 +107,17 @@ ReportCatalogue get_catalogue(ByteReader& archive) {
     get(archive, sources.arrays);
   }
   return catalogue;
+}
+
+void require_meshes_and_networks(const std::vector<StoredReport>& reports,
+                                 std::initializer_list<const ReportCatalogue*> catalogues) {
+  const auto in_one = [&](auto holds) { return std::any_of(catalogues.begin(), catalogues.end(), holds); };
+  for (const StoredReport& report : reports) {
+    ByteReader::require(
+        in_one([&](const auto* catalogue) { return catalogue->meshes.contains(report.geometry); }));
+    ByteReader::require(
+        in_one([&](const auto* catalogue) { return catalogue->networks.contains(report.revision); }));
+  }
 }
 
 }  // namespace fissura::coupler

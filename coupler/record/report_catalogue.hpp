@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <vector>
@@ -61,7 +62,13 @@ struct ReportCatalogue {
 
 /// For a checkpoint.
 void put(ByteWriter& archive, const ReportCatalogue& catalogue);
-/// Throws Error(checkpoint_unusable).
+/// Throws Error(checkpoint_unusable) if a shape is not as above, or there are more network nodes or contact
+/// units than can be drawn.
 ReportCatalogue get_catalogue(ByteReader& archive);
+
+/// Throws Error(checkpoint_unusable) unless mesh and network of every report in `reports` are in one of
+/// `catalogues`.
+void require_meshes_and_networks(const std::vector<StoredReport>& reports,
+                                 std::initializer_list<const ReportCatalogue*> catalogues);
 
 }  // namespace fissura::coupler

@@ -104,6 +104,7 @@ void SegmentJournal::restore(ByteReader& archive) {
         archive.get(array.unit);
         archive.get(array.shape);
         archive.get(array.bytes);
+        if (!is_writable(array)) refuse();
         write(object, array);
         break;
       }

@@ -196,6 +196,8 @@ void Segments::resume(const TableMarks& marks, ByteReader& archive) {
   journal_.restore(archive);
   closed_ = get_catalogue(archive);
   open_ = get_catalogue(archive);
+  require_meshes_and_networks(closed_.reports, {&closed_});
+  require_meshes_and_networks(open_.reports, {&closed_, &open_});
   index_ = at_mark(run_directory_, index_place, marks);
   supersede_segments_after(segment_ - 1, folder());
 }
