@@ -53,6 +53,7 @@ std::vector<Check> all_checks();
 std::vector<Check> handshake_checks();
 std::vector<Check> order_checks();
 std::vector<Check> insertion_checks();
+std::vector<Check> topology_checks();
 std::vector<Check> report_checks();
 std::vector<Check> state_checks();
 std::vector<Check> neutral_checks();

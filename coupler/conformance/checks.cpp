@@ -11,6 +11,7 @@ std::vector<Check> all_checks() {
            handshake_checks,
            order_checks,
            insertion_checks,
+           topology_checks,
            report_checks,
            state_checks,
            neutral_checks,

@@ -7,10 +7,13 @@ Case water_case(double rate) {
   Case result;
   result.title = "conformance";
   result.time.end = 1000;
-  result.domain = {.width = 1000, .height = 1000, .thickness = 2};
-  result.fluids = {{.name = "water", .consistency_index = 1e-3, .power_index = 1, .bulk_modulus = 2e9}};
+  result.domain = {.width = 1000, .height = 1000, .thickness = water::thickness};
+  result.fluids = {{.name = "water",
+                    .consistency_index = water::viscosity,
+                    .power_index = 1,
+                    .bulk_modulus = water::bulk_modulus}};
   result.injection.perforations = {{.name = "well", .position = {0, 0}, .aperture = 1e-5}};
-  result.injection.well_index = 1e-6;
+  result.injection.well_index = water::well_index;
   result.network = {.minimum_aperture = 1e-5, .tolerance = 1e-10, .maximum_iterations = 100};
   add_stage(result, 0, rate);
   return result;

@@ -6,8 +6,15 @@
 /// Cases of which only what a flow solver reads matters; a check changes what it is about.
 namespace fissura::coupler::conformance {
 
-/// One Newtonian fluid like water (viscosity 1e-3 Pa s, bulk modulus 2 GPa) pumped at `rate` [m3/s, whole
-/// thickness of 2 m] from time 0 into the perforation "well"; no leak-off.
+namespace water {
+inline constexpr double viscosity = 1e-3;    ///< [Pa s]
+inline constexpr double bulk_modulus = 2e9;  ///< [Pa]
+inline constexpr double thickness = 2;       ///< of the layer [m]
+inline constexpr double well_index = 1e-6;   ///< [m2/(s Pa)]
+}  // namespace water
+
+/// One Newtonian fluid, water, pumped at `rate` [m3/s, whole thickness] from time 0 into the perforation
+/// "well"; no leak-off.
 Case water_case(double rate);
 
 /// Adds a stage of constant rate of the first fluid; 0 is a shut-in.

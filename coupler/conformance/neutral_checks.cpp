@@ -6,6 +6,7 @@
 
 #include "coupler/conformance/driver.hpp"
 #include "coupler/conformance/expectation.hpp"
+#include "coupler/conformance/flow_cases.hpp"
 #include "coupler/conformance/pumped_slit.hpp"
 #include "coupler/conformance/refusal.hpp"
 #include "coupler/conformance/topologies.hpp"
@@ -15,7 +16,6 @@ namespace fissura::coupler::conformance {
 namespace {
 
 constexpr const char* contract = "flow_solvers.md 6.2";
-constexpr double thickness = 2;  // of flow_cases
 /// Sums are formed in another order by everybody.
 constexpr double rounding = 1e-9;
 /// A solver that begins an iteration elsewhere ends as near to the solution as it solves its equations.
@@ -68,7 +68,7 @@ std::string told(const Candidate& candidate) {
   for (const NeutralArray& array : node_arrays)  // one fluid: one column
     (void)state.numbers(array.name, PumpedSlit::nodes);
   const std::vector<double> content = state.numbers("neutral_content");
-  require_ratio("content of all nodes [m3]", thickness * integral(scene.driver.network(), content),
+  require_ratio("content of all nodes [m3]", water::thickness * integral(scene.driver.network(), content),
                 scene.last.ledger.in_fractures, rounding);
   require_ratio("neutral.ledger.in_fractures [m3]", ledger_entry(state, "in_fractures"),
                 scene.last.ledger.in_fractures, rounding);
@@ -78,7 +78,8 @@ std::string told(const Candidate& candidate) {
   require_all_close("neutral_fluid_fraction of node", state.numbers("neutral_fluid_fraction"),
                     std::vector<double>(PumpedSlit::nodes, 1.0), rounding);
   return fmt::format("content {:.9g} m3, ledger {:.9g} m3",
-                     thickness * integral(scene.driver.network(), content), scene.last.ledger.in_fractures);
+                     water::thickness * integral(scene.driver.network(), content),
+                     scene.last.ledger.in_fractures);
 }
 
 /// A scene with an insertion in it.

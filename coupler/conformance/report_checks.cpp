@@ -5,6 +5,7 @@
 
 #include "coupler/conformance/driver.hpp"
 #include "coupler/conformance/expectation.hpp"
+#include "coupler/conformance/flow_cases.hpp"
 #include "coupler/conformance/pumped_slit.hpp"
 #include "coupler/conformance/topologies.hpp"
 
@@ -43,8 +44,8 @@ std::string content(const Candidate& candidate) {
   scene.advance_many(3);
   const std::optional<std::vector<double>> told = scene.driver.report().find("content");
   if (!told) return "it does not tell the content";
-  constexpr double thickness = 2, rounding = 1e-9;
-  const double in_fields = thickness * integral(scene.driver.network(), *told);
+  constexpr double rounding = 1e-9;
+  const double in_fields = water::thickness * integral(scene.driver.network(), *told);
   require_ratio("content of all nodes in FIELDS [m3]", in_fields, scene.last.ledger.in_fractures, rounding);
   return fmt::format("{:.9g} m3 in FIELDS, {:.9g} m3 in the ledger", in_fields,
                      scene.last.ledger.in_fractures);
