@@ -2,17 +2,9 @@
 #include "network/checkpoint.hpp"
 
 #include "common/byte_archive.hpp"
-#include "common/case/case_hash.hpp"
 #include "common/errors.hpp"
-#include "common/fracture_network/insertion_archive.hpp"
 
 namespace fissura::network {
-
-namespace {
-
-constexpr std::uint64_t format = 3;
-
-}  // namespace
 
 constexpr Front last_of(Front) {
   return Front::passed;
@@ -31,27 +23,10 @@ auto parts(EitherOf<State> auto& state) {
 }
 
 auto parts(EitherOf<Checkpoint> auto& checkpoint) {
-  return std::tie(checkpoint.history, checkpoint.state, checkpoint.aperture, checkpoint.figures);
+  return std::tie(checkpoint.state, checkpoint.aperture, checkpoint.figures);
 }
 
-StateOwner network_owner(const Case& run_case) {
-  return {"network", "Fissura " FISSURA_VERSION, format, case_hash(run_case)};
-}
-
-std::vector<std::byte> checkpoint_to_bytes(const StateOwner& owner, const Checkpoint& checkpoint) {
-  ByteWriter bytes;
-  begin_state(owner, bytes);
-  bytes.put(checkpoint);
-  return end_state(bytes);
-}
-
-Checkpoint checkpoint_from_bytes(std::span<const std::byte> bytes, const StateOwner& owner) {
-  ByteReader reader(state_inside(bytes, owner));
-  Checkpoint checkpoint;
-  reader.get(checkpoint);
-  reader.end();
-  return checkpoint;
-}
+namespace {
 
 void require_of(const Graph& graph, const Model& model, const Checkpoint& checkpoint) {
   const State& state = checkpoint.state;
@@ -66,6 +41,23 @@ void require_of(const Graph& graph, const Model& model, const Checkpoint& checkp
       state.flux.size() == segments && state.gradient.size() == segments &&
       state.perforation_rate.size() == graph.perforations().size() && checkpoint.aperture.size() <= nodes &&
       (!state.stage || *state.stage < model.schedule.stages().size()));
+}
+
+}  // namespace
+
+std::vector<std::byte> checkpoint_to_bytes(const Checkpoint& checkpoint) {
+  ByteWriter bytes;
+  bytes.put(checkpoint);
+  return bytes.take();
+}
+
+Checkpoint checkpoint_from_bytes(std::span<const std::byte> bytes, const Graph& graph, const Model& model) {
+  ByteReader reader(bytes);
+  Checkpoint checkpoint;
+  reader.get(checkpoint);
+  reader.end();
+  require_of(graph, model, checkpoint);
+  return checkpoint;
 }
 
 }  // namespace fissura::network

@@ -121,22 +121,19 @@ void commit_step(const Model& model, const Graph& graph, const Step& step, const
   advance_wetting_front(graph, flow, duration, state);
 }
 
-LedgerReport ledger_report(const Model& model, const Graph& graph, const State& state) {
+FluidLedger ledger_report(const Model& model, const Graph& graph, const State& state) {
   const double h = model.thickness;
-  LedgerReport report{.injected = h * state.ledger.injected.value(),
-                      .in_place = h * state.ledger.in_place,
-                      .found = h * state.ledger.found.value(),
-                      .in_fractures = h * stored(graph, state),
-                      .leaked = h * state.ledger.leaked.value(),
-                      .reset = h * state.ledger.reset.value(),
-                      .residual = 0};
-  report.residual =
-      report.injected + report.in_place + report.found + report.reset - report.in_fractures - report.leaked;
+  const FluidLedger report{.injected = h * state.ledger.injected.value(),
+                           .in_place = h * state.ledger.in_place,
+                           .found = h * state.ledger.found.value(),
+                           .in_fractures = h * stored(graph, state),
+                           .leaked = h * state.ledger.leaked.value(),
+                           .reset = h * state.ledger.reset.value()};
   const double largest = std::max(
       {std::abs(report.injected), report.in_place, report.found, report.in_fractures, report.leaked});
-  if (std::abs(report.residual) > conservation_tolerance * largest)
+  if (std::abs(report.residual()) > conservation_tolerance * largest)
     throw SolverError(fmt::format("fluid is not conserved at {} s: {} m3 of {} m3 are missing", state.time,
-                                  report.residual, largest));
+                                  report.residual(), largest));
   return report;
 }
 

@@ -3,17 +3,13 @@
 
 #include <span>
 
+#include "common/flow_solver/flow_solver.hpp"
 #include "network/flow.hpp"
 #include "network/state.hpp"
 
 /// The book of the fluid: content is what the fluxes brought, never what an equation of state makes of a
 /// pressure, so that nothing is lost whatever the tolerance of the solution.
 namespace fissura::network {
-
-/// Volumes of the whole thickness, cumulative [m3]; docs/protocol.md, section 3.
-struct LedgerReport {
-  double injected = 0, in_place = 0, found = 0, in_fractures = 0, leaked = 0, reset = 0, residual = 0;
-};
 
 /// At the first interval: nodes that joined saturated are full of pore fluid at formation pressure, others
 /// with an aperture are filled at zero pressure, all others are dry.
@@ -37,7 +33,7 @@ void commit_step(const Model& model, const Graph& graph, const Step& step, const
 
 /// Throws SolverError if the residual is more than `conservation_tolerance` of the largest volume in the
 /// book.
-LedgerReport ledger_report(const Model& model, const Graph& graph, const State& state);
+FluidLedger ledger_report(const Model& model, const Graph& graph, const State& state);
 
 inline constexpr double conservation_tolerance = 1e-10;
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "common/case/case.hpp"
+#include "common/flow_solver/flow_case.hpp"
+#include "common/flow_solver/pumping_schedule.hpp"
 #include "network/laws/carter_leak_off.hpp"
 #include "network/laws/power_law_fluid.hpp"
-#include "network/schedule.hpp"
 
 namespace fissura::network {
 
@@ -33,8 +33,6 @@ struct Model {
   [[nodiscard]] bool newtonian() const;
 };
 
-/// A case without perforations and stages is dry. Throws InputError if any other has no fluid, a stage names
-/// an unknown one, or a number is outside its physical range.
-Model model_from_case(const Case& value);
+Model model_from_case(const FlowCase& flow_case);
 
 }  // namespace fissura::network

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "common/flow_solver/pumping_schedule.hpp"
 #include "network/exposure.hpp"
-#include "network/schedule.hpp"
 
 namespace fissura::network {
 

@@ -4,16 +4,13 @@
 #include <span>
 #include <vector>
 
+#include "common/flow_solver/flow_solver.hpp"
 #include "network/graph.hpp"
 #include "network/laws/fluid_content.hpp"
 #include "network/model.hpp"
 #include "network/state.hpp"
 
 namespace fissura::network {
-
-/// What is carried from one coupling interval to the next: the fluid content, or the pressure (Profit et al.
-/// 2016).
-enum class Carry { content, pressure };
 
 /// One coupling interval as the coupler poses it; arrays in the order of the nodes.
 struct Interval {

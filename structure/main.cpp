@@ -4,5 +4,6 @@
 
 int main(int argc, char** argv) {
   fissura::structure::StructureSolver solver;
-  return fissura::participant_main(fissura::Role::structure, argc, argv, "fissura structure", solver);
+  return fissura::participant_main(fissura::Role::structure, argc, argv, "fissura structure",
+                                   FISSURA_VERSION, solver);
 }

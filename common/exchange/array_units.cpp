@@ -23,6 +23,10 @@ constexpr std::array known_arrays{
     KnownArray{"compliance", "m/Pa"}, KnownArray{"stiffness", "Pa/m"}, KnownArray{"closed", "1"},
     KnownArray{"broken", "1"}, KnownArray{"filled", "1"}, KnownArray{"content", "m"},
     KnownArray{"leaked", "m"}, KnownArray{"flux", "m2/s"}, KnownArray{"fluid_fraction", "1"},
+    KnownArray{"neutral_content", "m"}, KnownArray{"neutral_pressure", "Pa"},
+    KnownArray{"neutral_leaked", "m"}, KnownArray{"neutral_exposure_time", "s"},
+    KnownArray{"neutral_contact_pressure", "Pa"}, KnownArray{"neutral_joining", "1"},
+    KnownArray{"neutral_fluid_fraction", "1"},
     // rock
     KnownArray{"position", "m"}, KnownArray{"elements", "1"}, KnownArray{"displacement", "m"},
     KnownArray{"velocity", "m/s"}, KnownArray{"effective_stress_xx", "Pa"},

@@ -12,7 +12,7 @@
 namespace fissura {
 
 inline constexpr std::uint8_t protocol_major = 1;
-inline constexpr std::uint8_t protocol_minor = 0;
+inline constexpr std::uint8_t protocol_minor = 1;
 inline constexpr std::size_t envelope_size = 64;
 
 /// Frame 0 of every message, docs/protocol.md section 2.

@@ -18,11 +18,12 @@ int run_participant(Role role, const ParticipantOptions& options, Solver& solver
   return Session(role, options, solver).run();
 }
 
-int participant_main(Role role, int argc, char** argv, const char* solver_name, Solver& solver) {
+int participant_main(Role role, int argc, char** argv, const char* solver_name, const char* solver_version,
+                     Solver& solver) {
   CLI::App program(fmt::format("Fissura {} participant: started by the coupler", name(role)));
   ParticipantOptions options;
   options.solver_name = solver_name;
-  options.solver_version = FISSURA_VERSION;
+  options.solver_version = solver_version;
   std::string level = "info";
   program.add_option("--connect", options.endpoint, "endpoint of the coupler")->required();
   std::optional<std::filesystem::path> keys;

@@ -30,6 +30,9 @@ class Solver {
  public:
   virtual ~Solver() = default;
 
+  /// What HELLO says besides who this is: may add to its `capabilities`, and other keys.
+  virtual void introduce(nlohmann::json& hello) const { (void)hello; }
+
   /// Builds the solver from the case. A structure returns the Insertion of revision 0 as TOPOLOGY; a network
   /// returns nothing of interest.
   virtual void join(const Assignment& assignment) = 0;
@@ -45,10 +48,19 @@ class Solver {
   virtual Message report(const Message& command) = 0;
   /// Everything that later answers depend on, bit for bit, as an opaque blob: at a coupling time, with no
   /// insertion proposed that has not been carried out. restore gives it back to another process of the same
-  /// program and case; throws Error(checkpoint_unusable) if the bytes are none of its own, and is unchanged
-  /// then.
+  /// program and case, and returns the hash of the solver's own copy of the network; throws
+  /// Error(checkpoint_unusable) if the bytes are none of its own, and is unchanged then.
   virtual std::vector<std::byte> save() = 0;
-  virtual void restore(const std::vector<std::byte>& state) = 0;
+  virtual std::string restore(const std::vector<std::byte>& state) = 0;
+  /// Adds to STATE what another program can go on from; without it only the blob is kept.
+  virtual void describe_neutral_state(Message& state) { (void)state; }
+  /// RESTORE without a blob: goes on from what another program's describe_neutral_state gave. Returns the hash as
+  /// restore does.
+  virtual std::string take_up(const Message& command, const std::vector<Insertion>& insertions) {
+    (void)command;
+    (void)insertions;
+    throw Error(ExitCode::checkpoint_unusable, "this participant cannot go on from another one's state");
+  }
   /// Last figures of the participant for summary.json (wall times, counts).
   virtual nlohmann::json finish() { return nlohmann::json::object(); }
 };
@@ -72,6 +84,7 @@ int run_participant(Role role, const ParticipantOptions& options, Solver& solver
 
 /// The whole main() of a participant: reads `--connect ENDPOINT` and `--keys DIR`, runs, and turns exceptions
 /// into exit codes.
-int participant_main(Role role, int argc, char** argv, const char* solver_name, Solver& solver);
+int participant_main(Role role, int argc, char** argv, const char* solver_name, const char* solver_version,
+                     Solver& solver);
 
 }  // namespace fissura

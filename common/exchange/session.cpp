@@ -105,6 +105,7 @@ void Session::greet() {
                 {"pid", ::getpid()},
                 {"capabilities", {"insert", "report", "save", "restore"}}};
   if (dumps_stack()) hello.body["capabilities"].push_back("stack");
+  solver_.introduce(hello.body);
   channel_.send(std::move(hello));
 }
 
@@ -281,16 +282,23 @@ Word Session::report(const Message& command) {
 Word Session::save() {
   Message state;
   state.add_bytes("state", solver_.save());
+  solver_.describe_neutral_state(state);
   return reply(MessageType::state, std::move(state));
 }
 
 // The topology comes from the coupler, not from the state: so both participants start from the same one.
 Word Session::restore(const Message& command) {
+  std::vector<Insertion> insertions;
   FractureNetwork network;
-  for (const nlohmann::json& insertion : command.value<nlohmann::json>("insertions"))
-    network.apply(insertion_from_json(insertion));
+  for (const nlohmann::json& insertion : command.value<nlohmann::json>("insertions")) {
+    insertions.push_back(insertion_from_json(insertion));
+    network.apply(insertions.back());
+  }
   if (network.empty()) throw ProtocolError("RESTORE brings no topology");
-  solver_.restore(command.bytes("state"));
+  const std::string hash =
+      command.has("state") ? solver_.restore(command.bytes("state")) : solver_.take_up(command, insertions);
+  if (hash != network.topology_hash())
+    throw Error(ExitCode::checkpoint_unusable, "the state belongs to another topology than RESTORE brings");
   network_ = std::move(network);
   return reply(MessageType::restored, network_and_state());
 }

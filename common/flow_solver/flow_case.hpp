@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,9 @@ struct PumpingStage {
 
 /// What a case asks of a flow solver, checked. Never changes during a run.
 struct FlowCase {
-  double thickness = 0;             ///< H [m], > 0
-  std::vector<FlowFluid> fluids;    ///< at least one, unless dry
+  std::string hash;               ///< of all that the state of a solver depends on: equal cases, equal hashes
+  double thickness = 0;           ///< H [m], > 0
+  std::vector<FlowFluid> fluids;  ///< at least one, unless dry
   double leak_off_coefficient = 0;  ///< C_l of ONE face [m/s^0.5], >= 0
   double spurt_volume = 0;          ///< S_p of one face [m3/m2], >= 0
   double well_index = 0;        ///< WI of one perforation, per unit thickness [m2/(s Pa)]: q = WI (p_w - p)
@@ -48,5 +50,8 @@ struct FlowCase {
 /// unknown one, begins do not increase, or a number is outside its physical range; ProtocolError if a key is
 /// missing.
 FlowCase flow_case(const nlohmann::json& run_case);
+
+/// Names of `claims` (flow_solver.hpp) that a solver must make for this case. Throws as flow_case.
+std::set<std::string> needed_physics(const nlohmann::json& run_case);
 
 }  // namespace fissura

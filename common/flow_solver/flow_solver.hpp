@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -69,7 +71,7 @@ struct FlowField {
   std::string name;
   std::string unit;  ///< SI, "1" without dimension
   std::vector<double> values;
-  std::size_t columns = 1;
+  std::optional<std::size_t> columns = {};  ///< of a row; nothing: one value each
 };
 
 /// What another flow solver needs to go on from here: no discretisation of time, no scheme, no history of
@@ -77,14 +79,17 @@ struct FlowField {
 struct NeutralFlowState {
   double time = 0;                       ///< [s]
   bool started = false;                  ///< an interval has been solved
-  std::vector<double> content;           ///< m [m], >= 0
+  std::vector<double> content;           ///< m [m], >= 0 but for rounding
   std::vector<double> pressure;          ///< [Pa], >= 0: where to begin an iteration; not part of the book
   std::vector<double> leaked;            ///< taken by both faces so far, per area of trace [m]
   std::vector<double> exposure_time;     ///< when the fluid reached the faces [s]; infinite if it has not
   std::vector<double> contact_pressure;  ///< p_c of joints [Pa]
   std::vector<double> fluid_fraction;    ///< [n_nodes x n_fluids], by volume, rows sum to 1 [-]
-  double well_pressure = 0;              ///< [Pa]
-  double rate = 0;                       ///< of the well, whole thickness [m3/s]
+  std::vector<unsigned char> joining;  ///< 1: joined saturated, its pore fluid not yet taken into the content
+  double well_pressure = 0;            ///< [Pa]
+  double rate = 0;                     ///< of the well, whole thickness [m3/s]
+  double entry_rate = 0;  ///< what the well did when the stage in force began, where its ramp starts [m3/s]
+  double entry_pressure = 0;  ///< the same [Pa]
   FluidLedger ledger;
 };
 
@@ -118,18 +123,16 @@ class FlowSolver {
   /// and "flux" per segment are what reports draw.
   [[nodiscard]] virtual std::vector<FlowField> report() const = 0;
 
-  /// Everything that later answers depend on, bit for bit, for the same program and case; opaque to all
-  /// others.
+  /// Everything that later answers depend on, bit for bit. Opaque to all others; who it belongs to (program,
+  /// case, topology) and a checksum are put around it.
   [[nodiscard]] virtual std::vector<std::byte> save() const = 0;
-  /// Throws Error(checkpoint_unusable), unchanged, if the bytes are not from save() of this program and case.
-  /// `insertions` are all so far, `network` what they make.
-  virtual void restore(const std::vector<std::byte>& state, const std::vector<Insertion>& insertions,
-                       const FractureNetwork& network) = 0;
+  /// Bytes of save() of the same program and case, with the topology they belong to. Throws
+  /// Error(checkpoint_unusable) if they cannot be its own.
+  virtual void restore(std::span<const std::byte> state, const FractureNetwork& network) = 0;
   /// The state as any solver understands it.
   [[nodiscard]] virtual NeutralFlowState neutral_state() const = 0;
   /// Goes on from another solver's neutral state. Content, leaked volume and ledger must stay what they are.
-  virtual void take_up(const NeutralFlowState& state, const std::vector<Insertion>& insertions,
-                       const FractureNetwork& network) = 0;
+  virtual void take_up(const NeutralFlowState& state, const FractureNetwork& network) = 0;
   /// Last figures for summary.json.
   [[nodiscard]] virtual nlohmann::json finish() const { return nlohmann::json::object(); }
 };

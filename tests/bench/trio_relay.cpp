@@ -153,7 +153,7 @@ int play(Role role, int argc, char** argv) {
   InstantNetwork network;
   InstantStructure structure;
   Solver& solver = role == Role::network ? static_cast<Solver&>(network) : structure;
-  return participant_main(role, argc, argv, "bench", solver);
+  return participant_main(role, argc, argv, "bench", FISSURA_VERSION, solver);
 }
 
 }  // namespace fissura::bench

@@ -9,7 +9,6 @@
 #include "coupler/checkpoint/manifest.hpp"
 #include "coupler/seismicity/catalogue/catalogue_csv.hpp"
 #include "coupler/seismicity/extraction.hpp"
-#include "network/network_solver.hpp"
 #include "structure/joints/network_topology.hpp"
 #include "tests/coupler/seismicity/sample_sources.hpp"
 #include "tests/coupler/record/scripted_run.hpp"
@@ -17,6 +16,7 @@
 #include "tests/fuzz/judged.hpp"
 #include "tests/fuzz/raw_frames.hpp"
 #include "tests/fuzz/sample_network.hpp"
+#include "tests/network/messaged_network.hpp"
 
 using namespace fissura;
 
@@ -63,10 +63,10 @@ void write_state(const char* target, const std::string& name, const StateOwner& 
 void write_network() {
   const Insertion first = fuzz::first_insertion(5), second = fuzz::growth(5);
   write("insertions", "two", nlohmann::json{insertion_to_json(first), insertion_to_json(second)}.dump());
-  network::NetworkSolver solver;
+  network::test::MessagedNetwork solver;
   solver.join({case_to_json(fuzz::water_case()), 1, false});
   (void)solver.insert(first);
-  const StateOwner owner = network::network_owner(fuzz::water_case());
+  const StateOwner owner = solver.owner();
   write_state("network_state", "dry", owner, solver.save());
   FractureNetwork network = fuzz::network_of(first);
   (void)solver.advance(fuzz::advance_message(network, 0, 0.1));

@@ -56,8 +56,8 @@ TEST_CASE("content: exact to rounding over random apertures, insertions and leak
     shake(setup, random);
     setup.advance(0.01);
     if (k % 7 == 3) setup.insert(next_tip(setup, 0.5));
-    const LedgerReport ledger = ledger_report(setup.model, setup.graph, setup.state);
-    worst = std::max(worst, std::abs(ledger.residual) / (ledger.injected + ledger.in_place));
+    const FluidLedger ledger = ledger_report(setup.model, setup.graph, setup.state);
+    worst = std::max(worst, std::abs(ledger.residual()) / (ledger.injected + ledger.in_place));
   }
   // Rounding of a few hundred sums.
   CHECK(worst <= 1e-12);
@@ -134,8 +134,8 @@ TEST_CASE("content: with carry = pressure the content is made anew and the diffe
   setup.interval.compliance.assign(5, 1e-10);
   setup.advance(0.01);
   CHECK(setup.state.ledger.reset.value() == Approx(2 * 1e-4).epsilon(1e-12));
-  const LedgerReport ledger = ledger_report(setup.model, setup.graph, setup.state);
-  CHECK(std::abs(ledger.residual) <= 1e-15 * ledger.in_fractures);
+  const FluidLedger ledger = ledger_report(setup.model, setup.graph, setup.state);
+  CHECK(std::abs(ledger.residual()) <= 1e-15 * ledger.in_fractures);
   // The rate opens the fracture by 1e-5 m within the interval: it drains.
   CHECK(setup.state.filled[2] == Approx(1.1 / 1.11).epsilon(1e-10));
 }

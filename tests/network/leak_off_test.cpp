@@ -133,9 +133,9 @@ TEST_CASE("leak-off: demand beyond the content empties the node and keeps the le
     setup.advance(0.01);
     for (const double content : setup.state.content) CHECK(content >= 0);
   }
-  const LedgerReport ledger = ledger_report(setup.model, setup.graph, setup.state);
+  const FluidLedger ledger = ledger_report(setup.model, setup.graph, setup.state);
   CHECK(ledger.leaked == Approx(1e-4 * 2).epsilon(1e-12));
-  CHECK(std::abs(ledger.residual) <= 1e-18);
+  CHECK(std::abs(ledger.residual()) <= 1e-18);
 }
 
 TEST_CASE("leak-off: pore fluid that moves does not wet a natural fracture, injected fluid does",

@@ -54,7 +54,7 @@ TEST_CASE("found: at time 0 it is in place", "[network][natural]") {
   FlowSetup setup = touching_fracture(water_model(), 5, 0.5, {});
   setup.model.schedule = Schedule();
   setup.advance(0.1);
-  const LedgerReport ledger = ledger_report(setup.model, setup.graph, setup.state);
+  const FluidLedger ledger = ledger_report(setup.model, setup.graph, setup.state);
   CHECK(ledger.in_place == Approx(5e-5 * (1 + 5e6 / water_modulus) * 2).epsilon(1e-13));
   CHECK(ledger.found == 0);
   for (const double pressure : setup.state.pressure) CHECK(pressure == Approx(5e6).epsilon(1e-9));
@@ -187,7 +187,7 @@ TEST_CASE("natural fractures: the ledger closes through fifty random connections
       most_iterations = std::max(most_iterations, report.newton.iterations);
     }
   }
-  const LedgerReport ledger = ledger_report(setup.flow.model, setup.flow.graph, setup.flow.state);
+  const FluidLedger ledger = ledger_report(setup.flow.model, setup.flow.graph, setup.flow.state);
   CHECK(ledger.found > 0);
   CHECK(ledger.leaked > 0);
   // Rounding of the sum over some hundred nodes.

@@ -116,10 +116,10 @@ AdvanceReport NaturalSetup::advance(double duration) {
 }
 
 double NaturalSetup::relative_residual() const {
-  const LedgerReport ledger = ledger_report(flow.model, flow.graph, flow.state);
+  const FluidLedger ledger = ledger_report(flow.model, flow.graph, flow.state);
   const double largest = std::max(
       {std::abs(ledger.injected), ledger.in_place, ledger.found, ledger.in_fractures, ledger.leaked});
-  return std::abs(ledger.residual) / largest;
+  return std::abs(ledger.residual()) / largest;
 }
 
 NaturalSetup pumped_fracture(Model model, double aperture) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "network/network_solver.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "common/case/case_json.hpp"
 #include "common/errors.hpp"
 #include "tests/network/flow_setup.hpp"
+#include "tests/network/messaged_network.hpp"
 
 using namespace fissura;
 using namespace fissura::network;
@@ -86,7 +85,7 @@ Insertion natural_growth(std::uint64_t nodes, double time) {
   return insertion;
 }
 
-void join(NetworkSolver& solver) {
+void join(test::MessagedNetwork& solver) {
   solver.join({case_to_json(water_case()), 1});
   (void)solver.insert(test::straight_fracture(5, 0.5, {2}));
 }
@@ -103,7 +102,7 @@ void require_same_bits(const Message& a, const Message& b) {
 }  // namespace
 
 TEST_CASE("network solver: the ledger is in cubic metres of the whole thickness", "[network][solver]") {
-  NetworkSolver solver;
+  test::MessagedNetwork solver;
   join(solver);
   const Message answer = solver.advance(advance_command(5, 0, 0.1));
   CHECK(answer.type == MessageType::pressure);
@@ -120,11 +119,11 @@ TEST_CASE("network solver: the ledger is in cubic metres of the whole thickness"
 }
 
 TEST_CASE("network solver: a restored state goes on bit for bit", "[network][solver]") {
-  NetworkSolver straight, resumed;
+  test::MessagedNetwork straight, resumed;
   join(straight);
   std::size_t nodes = 5;
   double time = 0;
-  const auto next = [&](NetworkSolver& solver) {
+  const auto next = [&](test::MessagedNetwork& solver) {
     return solver.advance(advance_command(nodes, time, time + 0.01));
   };
   for (int k = 0; k < 25; ++k) {
@@ -154,7 +153,7 @@ TEST_CASE("network solver: a restored state goes on bit for bit", "[network][sol
 }
 
 TEST_CASE("network solver: a damaged or foreign checkpoint is refused", "[network][solver]") {
-  NetworkSolver solver;
+  test::MessagedNetwork solver;
   join(solver);
   std::vector<std::byte> bytes = solver.save();
   bytes.resize(bytes.size() / 2);
@@ -166,7 +165,7 @@ TEST_CASE("network solver: a damaged or foreign checkpoint is refused", "[networ
   }
   Case other_case = water_case();
   other_case.leak_off.coefficient *= 2;
-  NetworkSolver other;
+  test::MessagedNetwork other;
   other.join({case_to_json(other_case), 1});
   CHECK_THROWS_WITH(other.restore(solver.save()), Catch::Contains("another case"));
   other_case = water_case();
@@ -176,7 +175,7 @@ TEST_CASE("network solver: a damaged or foreign checkpoint is refused", "[networ
 }
 
 TEST_CASE("network solver: fields give fluxes per segment and fractions per fluid", "[network][solver]") {
-  NetworkSolver solver;
+  test::MessagedNetwork solver;
   join(solver);
   (void)solver.advance(advance_command(5, 0, 0.1));
   (void)solver.advance(advance_command(5, 0.1, 0.2));
@@ -191,7 +190,7 @@ TEST_CASE("network solver: fields give fluxes per segment and fractions per flui
 
 TEST_CASE("network solver: arrays that do not fit, gaps in time and negative apertures are refused",
           "[network][solver]") {
-  NetworkSolver solver;
+  test::MessagedNetwork solver;
   join(solver);
   CHECK_THROWS_AS(solver.advance(advance_command(4, 0, 0.1)), ProtocolError);
   CHECK_THROWS_AS(solver.advance(advance_command(5, 0.1, 0.1)), ProtocolError);
@@ -204,7 +203,7 @@ TEST_CASE("network solver: arrays that do not fit, gaps in time and negative ape
 }
 
 TEST_CASE("network solver: a case without fluid or with an unknown one is refused", "[network][solver]") {
-  NetworkSolver solver;
+  test::MessagedNetwork solver;
   Case value = water_case();
   value.injection.stages.back().fluid = "honey";
   CHECK_THROWS_WITH(solver.join({case_to_json(value), 1}), Catch::Contains("honey"));
@@ -213,7 +212,7 @@ TEST_CASE("network solver: a case without fluid or with an unknown one is refuse
 }
 
 TEST_CASE("network solver: figures count the work", "[network][solver]") {
-  NetworkSolver solver;
+  test::MessagedNetwork solver;
   join(solver);
   (void)solver.advance(advance_command(5, 0, 0.1));
   const nlohmann::json figures = solver.finish();
@@ -227,7 +226,7 @@ TEST_CASE("network solver: a dry case has no pressure and holds nothing, with an
   Case dry = water_case();
   dry.injection = {};
   dry.fluids.clear();
-  NetworkSolver solver;
+  test::MessagedNetwork solver;
   solver.join({case_to_json(dry), 1});
   Insertion slit = test::straight_fracture(5, 0.5, {2});
   slit.new_perforations.clear();
@@ -246,7 +245,7 @@ TEST_CASE("network solver: a dry case has no pressure and holds nothing, with an
   if (with_slit) (void)solver.insert(growth(1, 6, 0.1));
   CHECK_NOTHROW(solver.advance(advance_command(nodes + (with_slit ? 1 : 0), 0.1, 0.2)));
   CHECK_NOTHROW(solver.report(Message(MessageType::report)));
-  NetworkSolver resumed;
+  test::MessagedNetwork resumed;
   resumed.join({case_to_json(dry), 1});
   resumed.restore(solver.save());
   CHECK(resumed.finish()["intervals"] == 2);
@@ -257,11 +256,11 @@ TEST_CASE(
     "too",
     "[network][solver]") {
   const int saved_after = GENERATE(0, 3);
-  NetworkSolver straight, resumed;
+  test::MessagedNetwork straight, resumed;
   join(straight);
   (void)straight.advance(natural_command(5, 4, 0, 0.1));
   (void)straight.insert(natural_growth(5, 0.1));
-  const auto next = [](NetworkSolver& solver, int k) {
+  const auto next = [](test::MessagedNetwork& solver, int k) {
     return solver.advance(natural_command(12, 11, 0.1 + 0.05 * k, 0.1 + 0.05 * (k + 1)));
   };
   for (int k = 0; k < saved_after; ++k) (void)next(straight, k);
@@ -276,7 +275,7 @@ TEST_CASE(
 
 TEST_CASE("network solver: apertures of the arms come in pairs, one per segment, none below zero",
           "[network][solver]") {
-  NetworkSolver solver;
+  test::MessagedNetwork solver;
   join(solver);
   Message single = advance_command(5, 0, 0.1);
   single.add("arm_aperture_a", "m", std::vector<double>(4, 1e-3));

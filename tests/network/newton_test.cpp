@@ -51,7 +51,7 @@ TEST_CASE("Newton: an interval that does not converge is halved, never accepted"
   CHECK(hurried.state.time == patient.state.time + 10);
   for (int k = 0; k < 100; ++k) patient.advance(0.1);
   CHECK(hurried.stored() == Approx(patient.stored()).epsilon(1e-14));
-  CHECK(std::abs(ledger_report(hurried.model, hurried.graph, hurried.state).residual) <= 1e-15);
+  CHECK(std::abs(ledger_report(hurried.model, hurried.graph, hurried.state).residual()) <= 1e-15);
 }
 
 TEST_CASE("Newton: an interval that no halving saves ends with times, node and residual",

@@ -65,7 +65,7 @@ TEST_CASE("well: a pressure inlet injects WI (p_w - p) and the volume is booked"
         Approx(setup.model.well_index * (6e6 - setup.state.pressure[1])).epsilon(1e-12));
   CHECK(setup.state.rate ==
         Approx(setup.state.perforation_rate[0] + setup.state.perforation_rate[1]).epsilon(1e-15));
-  const LedgerReport ledger = ledger_report(setup.model, setup.graph, setup.state);
+  const FluidLedger ledger = ledger_report(setup.model, setup.graph, setup.state);
   CHECK(ledger.injected == Approx(1e-3 * setup.state.rate).epsilon(1e-12));
   for (int k = 0; k < 200; ++k) setup.advance(1);
   for (const double pressure : setup.state.pressure) CHECK(pressure == Approx(6e6).epsilon(1e-6));

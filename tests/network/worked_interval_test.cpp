@@ -126,11 +126,11 @@ void require_answer(const test::FlowSetup& flow, const Table& segments, const Ta
   require_printed(flow.state.content, nodes, "content");
   require_printed(flow.state.leaked, nodes, "leaked");
 
-  const LedgerReport report = ledger_report(flow.model, flow.graph, flow.state);
+  const FluidLedger report = ledger_report(flow.model, flow.graph, flow.state);
   require_printed({report.injected, report.in_place, report.in_fractures, report.leaked, report.found,
                    report.reset, flow.state.well_pressure},
                   ledger, "value");
-  CHECK(std::abs(report.residual) < 1e-15);
+  CHECK(std::abs(report.residual()) < 1e-15);
 }
 
 }  // namespace

@@ -8,9 +8,9 @@
 #include "common/coupling/interface_compliance.hpp"
 #include "coupler/scheme/coupling_law.hpp"
 #include "coupler/scheme/interval_figures.hpp"
-#include "network/network_solver.hpp"
 #include "tests/coupler/scheme/chain.hpp"
 #include "tests/reference/displacement_discontinuity.hpp"
+#include "tests/network/messaged_network.hpp"
 
 /// The staggered scheme with the coupler's own laws, ramps and messages and the real flow solver around a
 /// rock without inertia. Inertia only makes the rock stiffer within an interval, so that this is the hardest
@@ -150,7 +150,7 @@ class CoupledCrack {
   FluidStiffness stiffness_;
   ElasticCrack crack_;
   FractureNetwork network_;
-  network::NetworkSolver flow_;
+  network::test::MessagedNetwork flow_;
   std::vector<double> compliance_;
   StructureResponse structure_;
   NetworkAnswer answer_;

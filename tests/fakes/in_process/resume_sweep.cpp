@@ -9,9 +9,9 @@
 #include <memory>
 
 #include "common/case/case_json.hpp"
-#include "network/network_solver.hpp"
 #include "structure/structure_solver.hpp"
 #include "tests/fakes/in_process/coupled_run.hpp"
+#include "tests/network/messaged_network.hpp"
 
 namespace fissura::fakes {
 
@@ -21,7 +21,7 @@ using Blob = std::vector<std::byte>;
 
 struct Participants {
   structure::StructureSolver structure;
-  network::NetworkSolver network;
+  network::test::MessagedNetwork network;
 
   Pair pair() { return {structure, network}; }
   [[nodiscard]] Solver& of(Role role) {

@@ -4,9 +4,9 @@
 #include "common/case/case_json.hpp"
 #include "common/case/read_case.hpp"
 #include "common/errors.hpp"
-#include "network/network_solver.hpp"
 #include "structure/structure_solver.hpp"
 #include "tests/fakes/in_process/coupled_run.hpp"
+#include "tests/network/messaged_network.hpp"
 
 using namespace fissura;
 
@@ -18,7 +18,7 @@ Case slit_case() {
 
 struct TwoSolvers {
   structure::StructureSolver structure;
-  network::NetworkSolver network;
+  network::test::MessagedNetwork network;
 
   explicit TwoSolvers(const Case& run_case) {
     structure.join({case_to_json(run_case), 1});
@@ -43,7 +43,7 @@ TEST_CASE("a structure that has proposed an insertion is not saved before its IN
   };
   const Case run_case = slit_case();
   Hasty structure;
-  network::NetworkSolver network;
+  network::test::MessagedNetwork network;
   structure.join({case_to_json(run_case), 1});
   network.join({case_to_json(run_case), 1});
   fakes::CoupledRun run(run_case);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "network/schedule.hpp"
+#include "common/flow_solver/pumping_schedule.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "common/errors.hpp"
 
-using namespace fissura::network;
+using namespace fissura;
 
 TEST_CASE("schedule: a ramp is linear from what the well did before and then stays", "[network][schedule]") {
   const PumpingStage stage{.begin = 2, .control = WellControl::rate, .target = 3e-3, .ramp = 4, .fluid = 0};

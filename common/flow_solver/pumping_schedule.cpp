@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "network/schedule.hpp"
+#include "common/flow_solver/pumping_schedule.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "common/errors.hpp"
 
-namespace fissura::network {
+namespace fissura {
 
 double target_at(const PumpingStage& stage, const StageEntry& entry, double time) {
   const double start = stage.control == WellControl::rate ? entry.rate : entry.pressure;
@@ -50,4 +50,4 @@ std::optional<double> Schedule::next_change(double time) const {
   return after->begin;
 }
 
-}  // namespace fissura::network
+}  // namespace fissura

@@ -5,19 +5,9 @@
 #include <optional>
 #include <vector>
 
-namespace fissura::network {
+#include "common/flow_solver/flow_case.hpp"
 
-enum class WellControl { rate, pressure };
-
-/// One stage of the pumping schedule; it lasts until the next begins. A shut-in is a rate of zero without a
-/// fluid.
-struct PumpingStage {
-  double begin = 0;  ///< [s]
-  WellControl control = WellControl::rate;
-  double target = 0;                 ///< rate per unit thickness [m2/s], or well pressure [Pa]
-  double ramp = 0;                   ///< the target is reached linearly within this time [s]
-  std::optional<std::size_t> fluid;  ///< injected; none for a shut-in
-};
+namespace fissura {
 
 /// What the well did when a stage began: where its ramp starts.
 struct StageEntry {
@@ -52,4 +42,4 @@ class Schedule {
   std::vector<PumpingStage> stages_;
 };
 
-}  // namespace fissura::network
+}  // namespace fissura
