@@ -169,7 +169,7 @@ std::vector<std::byte> StructureSolver::save() {
   return save_snapshot(owner_, history_, geometry_, *state_, failing_tips_ ? failing_tips_->wet() : std::vector<ElementIndex>{});
 }
 
-std::string StructureSolver::restore(const std::vector<std::byte>& bytes) {
+std::optional<std::string> StructureSolver::restore(const std::vector<std::byte>& bytes) {
   Snapshot snapshot = restore_snapshot(bytes, owner_, *model_);
   history_ = std::move(snapshot.history);
   geometry_ = std::move(snapshot.geometry);

@@ -24,7 +24,7 @@ class StructureSolver : public Solver {
   std::string insert(const Insertion& insertion) override;
   Message report(const Message& command) override;
   std::vector<std::byte> save() override;
-  std::string restore(const std::vector<std::byte>& state) override;
+  std::optional<std::string> restore(const std::vector<std::byte>& state) override;
   nlohmann::json finish() override;
 
  private:

@@ -11,7 +11,7 @@ CouplingClock::CouplingClock(double end) : end_(end) {
   ENSURE(end > 0);
 }
 
-CouplingInterval CouplingClock::next(double proposed, double must_hit) const {
+ClockInterval CouplingClock::next(double proposed, double must_hit) const {
   const double limit = std::min(must_hit, end_);
   ENSURE(proposed > 0 && limit > time_);
   const double remaining = limit - time_;
@@ -23,7 +23,7 @@ CouplingInterval CouplingClock::next(double proposed, double must_hit) const {
   return {index_ + 1, time_, end};
 }
 
-void CouplingClock::commit(const CouplingInterval& interval) {
+void CouplingClock::commit(const ClockInterval& interval) {
   ENSURE(interval.index == index_ + 1 && interval.begin == time_ && interval.end > time_);
   index_ = interval.index;
   time_ = interval.end;

@@ -6,7 +6,7 @@
 namespace fissura {
 
 /// One coupling interval (begin, end].
-struct CouplingInterval {
+struct ClockInterval {
   std::uint64_t index = 0;  ///< 1 for the first
   double begin = 0;         ///< t_c1 [s]
   double end = 0;           ///< t_c2 [s]
@@ -24,10 +24,10 @@ class CouplingClock {
   /// The next interval, of `proposed` length [s] or shorter so that it ends at `must_hit` [s] at the latest.
   /// An interval that would leave less than a tenth of `proposed` before `must_hit` is halved instead. @pre
   /// proposed > 0, must_hit > time()
-  [[nodiscard]] CouplingInterval next(double proposed, double must_hit) const;
+  [[nodiscard]] ClockInterval next(double proposed, double must_hit) const;
 
   /// Makes the end of `interval` the current time. @pre interval came from next()
-  void commit(const CouplingInterval& interval);
+  void commit(const ClockInterval& interval);
 
   /// Makes `time` [s], the end of interval `index`, the current time: of a run that goes on from a
   /// checkpoint. Throws Error(checkpoint_unusable) if it lies outside [0, end].

@@ -48,15 +48,15 @@ class Solver {
   virtual Message report(const Message& command) = 0;
   /// Everything that later answers depend on, bit for bit, as an opaque blob: at a coupling time, with no
   /// insertion proposed that has not been carried out. restore gives it back to another process of the same
-  /// program and case, and returns the hash of the solver's own copy of the network; throws
+  /// program and case, and returns the hash of the solver's own copy of the network, nothing if it keeps none; throws
   /// Error(checkpoint_unusable) if the bytes are none of its own, and is unchanged then.
   virtual std::vector<std::byte> save() = 0;
-  virtual std::string restore(const std::vector<std::byte>& state) = 0;
+  virtual std::optional<std::string> restore(const std::vector<std::byte>& state) = 0;
   /// Adds to STATE what another program can go on from; without it only the blob is kept.
   virtual void describe_neutral_state(Message& state) { (void)state; }
   /// RESTORE without a blob: goes on from what another program's describe_neutral_state gave. Returns the hash as
   /// restore does.
-  virtual std::string take_up(const Message& command, const std::vector<Insertion>& insertions) {
+  virtual std::optional<std::string> take_up(const Message& command, const std::vector<Insertion>& insertions) {
     (void)command;
     (void)insertions;
     throw Error(ExitCode::checkpoint_unusable, "this participant cannot go on from another one's state");

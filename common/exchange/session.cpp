@@ -295,9 +295,9 @@ Word Session::restore(const Message& command) {
     network.apply(insertions.back());
   }
   if (network.empty()) throw ProtocolError("RESTORE brings no topology");
-  const std::string hash =
+  const std::optional<std::string> hash =
       command.has("state") ? solver_.restore(command.bytes("state")) : solver_.take_up(command, insertions);
-  if (hash != network.topology_hash())
+  if (hash && *hash != network.topology_hash())
     throw Error(ExitCode::checkpoint_unusable, "the state belongs to another topology than RESTORE brings");
   network_ = std::move(network);
   return reply(MessageType::restored, network_and_state());

@@ -111,7 +111,7 @@ std::vector<std::byte> FlowParticipant::save() {
   return end_state(bytes);
 }
 
-std::string FlowParticipant::restore(const std::vector<std::byte>& bytes) {
+std::optional<std::string> FlowParticipant::restore(const std::vector<std::byte>& bytes) {
   ByteReader reader(state_inside(bytes, owner_));
   std::vector<Insertion> insertions;
   std::optional<double> time;
@@ -132,7 +132,8 @@ void FlowParticipant::describe_neutral_state(Message& state) {
   add_neutral_state(solver_.neutral_state(), fluids_, state);
 }
 
-std::string FlowParticipant::take_up(const Message& command, const std::vector<Insertion>& insertions) {
+std::optional<std::string> FlowParticipant::take_up(const Message& command,
+                                                    const std::vector<Insertion>& insertions) {
   FractureNetwork network = network_after(insertions);
   const NeutralFlowState state = neutral_state_in(command, network.nodes().size(), fluids_);
   solver_.take_up(state, network);

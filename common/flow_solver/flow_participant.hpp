@@ -30,9 +30,10 @@ class FlowParticipant : public Solver {
   Message advance(const Message& command) override;
   Message report(const Message& command) override;
   std::vector<std::byte> save() override;
-  std::string restore(const std::vector<std::byte>& bytes) override;
+  std::optional<std::string> restore(const std::vector<std::byte>& bytes) override;
   void describe_neutral_state(Message& state) override;
-  std::string take_up(const Message& command, const std::vector<Insertion>& insertions) override;
+  std::optional<std::string> take_up(const Message& command,
+                                     const std::vector<Insertion>& insertions) override;
   nlohmann::json finish() override { return solver_.finish(); }
 
   [[nodiscard]] const FractureNetwork& network() const { return network_; }

@@ -154,7 +154,7 @@ ReportedFields Driver::report() {
     reported.fields.push_back({.name = array.name,
                                .unit = array.unit,
                                .values = fields.numbers(array.name),
-                               .columns = array.shape.size() > 1 ? array.shape[1] : 1});
+                               .columns = array.shape.size() > 1 ? std::optional<std::size_t>(array.shape[1]) : std::nullopt});
   }
   return reported;
 }

@@ -28,7 +28,8 @@ struct NeutralArray {
 };
 constexpr NeutralArray node_arrays[] = {
     {"neutral_content", "m"},       {"neutral_pressure", "Pa"},         {"neutral_leaked", "m"},
-    {"neutral_exposure_time", "s"}, {"neutral_contact_pressure", "Pa"}, {"neutral_fluid_fraction", "1"}};
+    {"neutral_exposure_time", "s"}, {"neutral_contact_pressure", "Pa"}, {"neutral_fluid_fraction", "1"},
+    {"neutral_joining", "1"}};
 
 /// STATE without what only its own solver understands.
 Message neutral_part(const Message& state) {

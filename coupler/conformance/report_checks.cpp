@@ -26,7 +26,7 @@ std::string fields(const Candidate& candidate) {
   const std::size_t segments = scene.driver.network().segments().size();
   std::string names;
   for (const FlowField& field : reported.fields) {
-    const std::size_t rows = field.values.size() / std::max<std::size_t>(field.columns, 1);
+    const std::size_t rows = field.values.size() / std::max<std::size_t>(field.columns.value_or(1), 1);
     require(rows == nodes || rows == segments,
             fmt::format("{}: a row for each of {} nodes or {} segments", field.name, nodes, segments),
             fmt::format("{} rows", rows));

@@ -73,7 +73,7 @@ std::vector<PressureRamp> profit_ramps(const StructureResponse& structure, const
   return ramps;
 }
 
-Message advance_network(const CouplingInterval& interval, std::uint64_t revision,
+Message advance_network(const ClockInterval& interval, std::uint64_t revision,
                         const StructureEstimate& estimate) {
   Message command(MessageType::advance);
   command.interval = interval.index;
@@ -91,7 +91,7 @@ Message advance_network(const CouplingInterval& interval, std::uint64_t revision
   return command;
 }
 
-Message advance_structure(const CouplingInterval& interval, std::uint64_t revision,
+Message advance_structure(const ClockInterval& interval, std::uint64_t revision,
                           const std::vector<PressureRamp>& ramps, StrainEnergy strain_energy) {
   Message command(MessageType::advance);
   command.interval = interval.index;

@@ -48,11 +48,11 @@ std::vector<PressureRamp> profit_ramps(const StructureResponse& structure, const
                                        double fracture_normal_stiffness, double fluid_bulk_modulus,
                                        double minimum_aperture);
 
-Message advance_network(const CouplingInterval& interval, std::uint64_t revision,
+Message advance_network(const ClockInterval& interval, std::uint64_t revision,
                         const StructureEstimate& estimate);
 enum class StrainEnergy { wanted, not_wanted };
 
-Message advance_structure(const CouplingInterval& interval, std::uint64_t revision,
+Message advance_structure(const ClockInterval& interval, std::uint64_t revision,
                           const std::vector<PressureRamp>& ramps, StrainEnergy strain_energy);
 
 }  // namespace fissura::coupler

@@ -74,7 +74,7 @@ std::optional<Inlet> find_inlet(const FractureNetwork& network, const Case& run_
   return inlet;
 }
 
-IntervalRecord interval_figures(const CouplingInterval& interval, const FractureNetwork& network,
+IntervalRecord interval_figures(const ClockInterval& interval, const FractureNetwork& network,
                                 const std::optional<Inlet>& inlet, const StructureResponse& structure,
                                 const NetworkAnswer& answer) {
   IntervalRecord record;

@@ -23,7 +23,7 @@ std::optional<Inlet> find_inlet(const FractureNetwork& network, const Case& run_
 
 /// The scalars of one interval: the network was asked with its topology, the structure has answered. Those of the inlet
 /// are zero without one.
-IntervalRecord interval_figures(const CouplingInterval& interval, const FractureNetwork& network,
+IntervalRecord interval_figures(const ClockInterval& interval, const FractureNetwork& network,
                                 const std::optional<Inlet>& inlet,
                                 const StructureResponse& structure, const NetworkAnswer& answer);
 

@@ -60,7 +60,7 @@ StaggeredScheme::StaggeredScheme(const Case& run_case, double end, Trio& trio, R
 
 SchemeOutcome StaggeredScheme::run() {
   while (!state_.clock.finished() && status_.stop_signal() == 0) {
-    const CouplingInterval interval = next_interval();
+    const ClockInterval interval = next_interval();
     const NetworkAnswer answer = advance_network_over(interval);  // the network leads (Sect. 3.1)
     auto response = advance_structure_over(interval, answer);     // the structure follows (Sect. 3.6)
     check_ledger(answer);
@@ -94,7 +94,7 @@ void StaggeredScheme::resume(const Checkpoint& checkpoint) {
   inlet_ = find_inlet(state_.network, case_);
 }
 
-CouplingInterval StaggeredScheme::next_interval() const {
+ClockInterval StaggeredScheme::next_interval() const {
   double must_hit = static_cast<double>(state_.reports + 1) * case_.output.interval;
   for (const double event : events_)
     if (event > state_.clock.time()) {
@@ -104,7 +104,7 @@ CouplingInterval StaggeredScheme::next_interval() const {
   return state_.clock.next(state_.interval_control.proposal(), must_hit);
 }
 
-NetworkAnswer StaggeredScheme::advance_network_over(const CouplingInterval& interval) {
+NetworkAnswer StaggeredScheme::advance_network_over(const ClockInterval& interval) {
   status_.show(interval.index, "network");
   fault_point(FaultPhase::network, interval.index);
   const Coupling& coupling = case_.coupling;
@@ -119,7 +119,7 @@ NetworkAnswer StaggeredScheme::advance_network_over(const CouplingInterval& inte
                  [&] { return read_pressure(answer, state_.network, case_.pressure_range); });
 }
 
-StructureResponse StaggeredScheme::advance_structure_over(const CouplingInterval& interval,
+StructureResponse StaggeredScheme::advance_structure_over(const ClockInterval& interval,
                                                           const NetworkAnswer& answer) {
   status_.show(interval.index, "structure");
   fault_point(FaultPhase::structure, interval.index);
@@ -145,7 +145,7 @@ void StaggeredScheme::check_ledger(const NetworkAnswer& answer) const {
                     answer.ledger.relative_residual, largest_relative_residual));
 }
 
-void StaggeredScheme::listen(const CouplingInterval& interval, const StructureResponse& response) {
+void StaggeredScheme::listen(const ClockInterval& interval, const StructureResponse& response) {
   if (response.sources_merged > 0)
     record_.event(EventLevel::warn, "structure", "sources",
                   fmt::format("{} records of sources went into others: seismicity.maximum_records",
@@ -154,7 +154,7 @@ void StaggeredScheme::listen(const CouplingInterval& interval, const StructureRe
   monitor_.listen(interval.end, response.sources);
 }
 
-void StaggeredScheme::record_interval(const CouplingInterval& interval, const NetworkAnswer& answer,
+void StaggeredScheme::record_interval(const ClockInterval& interval, const NetworkAnswer& answer,
                                       const StructureResponse& response) {
   IntervalRecord figures = interval_figures(interval, state_.network, inlet_, response, answer);
   add_growth_figures(state_.network, path_, response, case_, figures);
@@ -178,7 +178,7 @@ void StaggeredScheme::record_interval(const CouplingInterval& interval, const Ne
   });
 }
 
-void StaggeredScheme::accept(const CouplingInterval& interval, const NetworkAnswer& answer,
+void StaggeredScheme::accept(const ClockInterval& interval, const NetworkAnswer& answer,
                              StructureResponse&& response) {
   for (std::size_t i = 0; i < response.aperture.size(); ++i)
     state_.average_rate[i] = (response.aperture[i] - state_.structure.aperture[i]) / interval.duration();

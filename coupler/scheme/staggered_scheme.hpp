@@ -44,14 +44,14 @@ class StaggeredScheme {
   SchemeOutcome run();
 
  private:
-  CouplingInterval next_interval() const;
-  NetworkAnswer advance_network_over(const CouplingInterval& interval);
-  StructureResponse advance_structure_over(const CouplingInterval& interval, const NetworkAnswer& answer);
+  ClockInterval next_interval() const;
+  NetworkAnswer advance_network_over(const ClockInterval& interval);
+  StructureResponse advance_structure_over(const ClockInterval& interval, const NetworkAnswer& answer);
   void check_ledger(const NetworkAnswer& answer) const;
-  void listen(const CouplingInterval& interval, const StructureResponse& response);
-  void record_interval(const CouplingInterval& interval, const NetworkAnswer& answer,
+  void listen(const ClockInterval& interval, const StructureResponse& response);
+  void record_interval(const ClockInterval& interval, const NetworkAnswer& answer,
                        const StructureResponse& response);
-  void accept(const CouplingInterval& interval, const NetworkAnswer& answer, StructureResponse&& response);
+  void accept(const ClockInterval& interval, const NetworkAnswer& answer, StructureResponse&& response);
   void insert(const Insertion& insertion);
   void report(const NetworkAnswer& answer);
   void follow_topology();

@@ -34,7 +34,7 @@ class InstantSolver : public Solver {
   }
   Message report(const Message&) override { return Message(MessageType::fields); }
   std::vector<std::byte> save() override { return {}; }
-  void restore(const std::vector<std::byte>&) override {}
+  std::optional<std::string> restore(const std::vector<std::byte>&) override { return {}; }
 
  private:
   FractureNetwork network_;
@@ -133,7 +133,7 @@ void TrioRelay::set_values(std::size_t count) {
 
 void TrioRelay::step() {
   const double begin = interval_length * static_cast<double>(interval_++);
-  const CouplingInterval interval{interval_, begin, begin + interval_length};
+  const ClockInterval interval{interval_, begin, begin + interval_length};
   const Message pressures =
       trio_.request(Role::network,
                     coupler::advance_network(interval, network_.revision(),

@@ -71,7 +71,7 @@ TEST_CASE("coupling times are hit exactly and never accumulate", "[common][coupl
   int intervals = 0;
   while (!clock.finished()) {
     const double must_hit = clock.time() < 0.3 ? 0.3 : 1.0;
-    const CouplingInterval interval = clock.next(0.07, must_hit);
+    const ClockInterval interval = clock.next(0.07, must_hit);
     CHECK(interval.begin == clock.time());
     CHECK(interval.duration() <= 0.07 * 1.1);
     CHECK(interval.duration() >= 0.07 * 0.1);

@@ -53,8 +53,9 @@ class CountingStructure : public Solver {
   }
   Message report(const Message&) override { return {}; }
   std::vector<std::byte> save() override { return {static_cast<std::byte>(intervals_)}; }
-  void restore(const std::vector<std::byte>& state) override {
+  std::optional<std::string> restore(const std::vector<std::byte>& state) override {
     intervals_ = std::to_integer<int>(state.at(0));
+    return std::nullopt;
   }
 
   bool resumes = false;

@@ -36,7 +36,7 @@ class HeldSolver : public Solver {
   }
   Message report(const Message&) override { return {}; }
   std::vector<std::byte> save() override { return {}; }
-  void restore(const std::vector<std::byte>&) override {}
+  std::optional<std::string> restore(const std::vector<std::byte>&) override { return {}; }
 
   std::atomic<bool> held_in_join = false, held_in_advance = false, proposes = false, is_held = false;
   std::atomic<bool> may_look = false;  ///< at what the coupler has said

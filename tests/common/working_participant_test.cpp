@@ -29,7 +29,7 @@ class SlowSolver : public Solver {
   std::string insert(const Insertion&) override { return {}; }
   Message report(const Message&) override { return Message(MessageType::fields); }
   std::vector<std::byte> save() override { return {}; }
-  void restore(const std::vector<std::byte>&) override {}
+  std::optional<std::string> restore(const std::vector<std::byte>&) override { return {}; }
 
  private:
   const std::atomic<bool>& go_on_;

@@ -102,7 +102,7 @@ TEST_CASE("profit2016 stiffens with 1 / (1/K_n + e/K_f), about the aperture at t
 TEST_CASE("the network learns the aperture of each arm as the structure measured it, if the structure tells",
           "[coupler][scheme]") {
   StructureResponse structure = some_structure();
-  const CouplingInterval interval{1, 0, 0.1};
+  const ClockInterval interval{1, 0, 0.1};
   CHECK_FALSE(advance_network(interval, 0, robin_estimate(structure, compliance)).has("arm_aperture_a"));
   structure.arm_aperture_a = {2e-3, 1e-3};
   structure.arm_aperture_b = {1e-3, 5e-5};

@@ -214,7 +214,7 @@ TEST_CASE("commands carry five arrays each way of the interface, one value per n
       read_response(response_of(response_arrays()), chain_network(3, 1, 0), range);
   const NetworkAnswer answer = read_pressure(pressure_of(pressure_arrays()), chain_network(3, 1, 0), range);
   const std::vector<double> compliance(3, 1e-9);
-  const CouplingInterval interval{7, 1, 1.5};
+  const ClockInterval interval{7, 1, 1.5};
   const Message to_network = advance_network(interval, 4, robin_estimate(structure, compliance));
   CHECK(to_network.interval == 7);
   CHECK(to_network.revision == 4);

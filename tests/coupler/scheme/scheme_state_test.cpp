@@ -52,7 +52,7 @@ SchemeState some_state() {
   }
   state.interval_control.start(1e-3);
   for (int k = 1; k <= 12; ++k) {
-    const CouplingInterval interval = state.clock.next(state.interval_control.proposal(), run_end);
+    const ClockInterval interval = state.clock.next(state.interval_control.proposal(), run_end);
     state.clock.commit(interval);
     state.interval_control.observe({interval.end, 1e-4 / k, 1e-3, 2 + 0.5 * (k / 2), false});
   }
@@ -94,7 +94,7 @@ TEST_CASE("a restored scheme proposes the same intervals and has the same interf
   SchemeState a = saved, b = restored;
   for (int k = 1; k <= 20; ++k) {
     for (SchemeState* state : {&a, &b}) {
-      const CouplingInterval interval = state->clock.next(state->interval_control.proposal(), run_end);
+      const ClockInterval interval = state->clock.next(state->interval_control.proposal(), run_end);
       state->clock.commit(interval);
       state->interval_control.observe({interval.end, 1e-3, 1e-3, 8 + 0.5 * (k / 3), k == 15});
     }

@@ -113,7 +113,7 @@ class CoupledCrack {
   }
 
   void advance() {
-    const CouplingInterval interval{++index_, time_, time_ + duration_};
+    const ClockInterval interval{++index_, time_, time_ + duration_};
     const Message answer =
         flow_.advance(advance_network(interval, 0, robin_estimate(structure_, compliance_)));
     answer_ = read_pressure(answer, network_, {0, 1e12});

@@ -84,7 +84,7 @@ std::vector<Message> CoupledRun::begin(Pair pair) {
 }
 
 std::vector<Message> CoupledRun::advance(Pair pair) {
-  const CouplingInterval interval = next_interval();
+  const ClockInterval interval = next_interval();
   const Coupling& coupling = case_.coupling;
   const bool robin = coupling.scheme == CouplingScheme::robin;
   const double bulk_modulus = least_bulk_modulus(case_.fluids);
@@ -123,7 +123,7 @@ std::vector<Message> CoupledRun::advance(Pair pair) {
   return answers;
 }
 
-CouplingInterval CoupledRun::next_interval() const {
+ClockInterval CoupledRun::next_interval() const {
   double must_hit = static_cast<double>(reports_ + 1) * case_.output.interval;
   const auto event = std::upper_bound(events_.begin(), events_.end(), clock_.time());
   if (event != events_.end()) must_hit = std::min(must_hit, *event);

@@ -39,7 +39,7 @@ class CoupledRun {
   [[nodiscard]] std::uint64_t revision() const { return network_.revision(); }
 
  private:
-  [[nodiscard]] CouplingInterval next_interval() const;
+  [[nodiscard]] ClockInterval next_interval() const;
   [[nodiscard]] bool report_is_due(double time) const;
   [[nodiscard]] Message stamped(Message answer, MessageType type) const;
   [[nodiscard]] Message command(MessageType type) const;
