@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "common/exchange/array_units.hpp"
+#include "common/flow_solver/flow_case.hpp"
 #include "common/log.hpp"
 #include "coupler/launch/executable_check.hpp"
 #include "coupler/launch/signals.hpp"
@@ -333,6 +334,11 @@ void Trio::greet(PeerNumber peer, Participant& each, const Message& hello) {
            hello.body);
     return;
   }
+  if (const std::optional<std::string> missing = unclaimed_physics(each.role, hello)) {
+    refuse(peer, ExitCode::mismatch,
+           fmt::format("this case needs {}, which {} does not claim", *missing, identity.solver), hello.body);
+    return;
+  }
   each.peer = peer;
   each.identity = std::move(identity);
   each.joined = each.last_word = each.asked_at = Clock::now();
@@ -347,6 +353,16 @@ void Trio::greet(PeerNumber peer, Participant& each, const Message& hello) {
                   {"coupler_deadline", options_.debug_attach ? patience_for_a_debugger : options_.deadlines.progress}};
   say(each, std::move(welcome));
   show(each);
+}
+
+/// Names, in words; nothing if the participant claims all or tells of no physics at all.
+std::optional<std::string> Trio::unclaimed_physics(Role role, const Message& hello) const {
+  if (role != Role::network || !hello.body.contains("physics")) return std::nullopt;
+  const auto claimed = hello.value<std::set<std::string>>("physics");
+  std::string missing;
+  for (const std::string& needed : needed_physics(run_case_))
+    if (!claimed.contains(needed)) missing += (missing.empty() ? "" : ", ") + needed;
+  return missing.empty() ? std::nullopt : std::optional(missing);
 }
 
 // A stranger does not disturb the run; but if it is the process that was to take the part, the run cannot

@@ -133,6 +133,7 @@ class Trio {
   [[noreturn]] void hear_failure(Participant& each, const Message& message);
   void hear_stranger(const CouplerChannel::Received& received);
   void greet(PeerNumber peer, Participant& each, const Message& hello);
+  [[nodiscard]] std::optional<std::string> unclaimed_physics(Role role, const Message& hello) const;
   void refuse(PeerNumber peer, ExitCode code, const std::string& reason, const nlohmann::json& hello);
   void peer_lost(Participant& each, Loss how);
 

@@ -229,13 +229,12 @@ class GrowthPlanner {
 
   std::uint32_t add_line(const std::string& name, GrowthPlan& plan) {
     const Rock& rock = model_.run_case.rock;
-    plan.new_lines.push_back({name,
-                              FractureKind::intact,
-                              {},
-                              rock.tensile_strength,
-                              rock.fracture_energy,
-                              rock.friction_coefficient,
-                              0});
+    FractureLine& line = plan.new_lines.emplace_back();
+    line.name = name;
+    line.kind = FractureKind::intact;
+    line.tensile_strength = rock.tensile_strength;
+    line.fracture_energy = rock.fracture_energy;
+    line.friction_coefficient = rock.friction_coefficient;
     return static_cast<std::uint32_t>(geometry_.mesh.lines.size() + plan.new_lines.size() - 1);
   }
 

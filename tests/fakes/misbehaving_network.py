@@ -3,6 +3,7 @@
 """A participant that greets properly and answers its first ADVANCE wrongly: misbehaving_network.py KIND --connect ENDPOINT."""
 import argparse
 import json
+import os
 import struct
 import time
 import zlib
@@ -12,7 +13,7 @@ import zmq
 ENVELOPE = struct.Struct("<4sBBH16sIIQQQII")
 HELLO, WELCOME, INSERT, ACKNOWLEDGE, ADVANCE, PRESSURE = 1, 2, 11, 12, 20, 21
 KINDS = ("garbage", "damaged", "lost", "doubled", "foreign", "stale", "wrong-type", "wrong-length", "wrong-revision",
-         "wrong-hash", "negative-aperture", "absurd-pressure", "unconverged", "leaking", "silent", "other-version")
+         "wrong-hash", "negative-aperture", "absurd-pressure", "unconverged", "leaking", "silent", "other-version", "unclaimed")
 UNITS = {"pressure": "Pa", "aperture_predicted": "m"}
 
 
@@ -80,7 +81,8 @@ def main():
     socket.setsockopt(zmq.RECONNECT_IVL, -1)
     socket.connect(options.connect)
     sender = Sender(socket)
-    sender.send(HELLO, dict(role="network", solver="misbehaving", version="1", pid=0, capabilities=[]))
+    claims = dict(physics=["viscous_flow"]) if options.kind == "unclaimed" else {}
+    sender.send(HELLO, dict(role="network", solver="misbehaving", version="1", pid=os.getpid(), capabilities=[], **claims))
     nodes = 0
     while socket.poll(60000):
         frames = socket.recv_multipart()

@@ -34,6 +34,11 @@ class Nonsense(unittest.TestCase):
                 self.assertIn(sentence, run.last_line)
                 self.assertEqual(run.pids(), [])
 
+    def test_a_case_that_the_solver_does_not_claim_to_solve(self):
+        with Run("--network", FAKE + "unclaimed", case=ROOT / "cases/kgd_leak_off") as run:
+            self.assertEqual(run.wait(), 13, run.errors)
+            self.assertIn("this case needs leak_off, which misbehaving does not claim", run.last_line)
+
     def test_values_that_are_not_finite(self):
         for role in ("structure", "network"):
             with self.subTest(role), Run("--fault", role + "@20=nan") as run:
