@@ -59,7 +59,7 @@ std::string told(const Candidate& candidate) {
   scene.advance_many(4);
   const Message state = neutral_part(scene.driver.save());
   const nlohmann::json& body = state.body["neutral"];
-  for (const char* key : {"time", "well_pressure", "rate"})
+  for (const char* key : {"time", "well_pressure", "rate", "entry_rate", "entry_pressure"})
     require(body.contains(key) && body[key].is_number(), fmt::format("the number neutral.{}", key),
             body.dump());
   require(body.contains("started") && body["started"].is_boolean(), "neutral.started true or false",
@@ -187,11 +187,11 @@ std::string refuses(const Candidate& candidate, const std::set<int>& codes, cons
 }
 
 std::string refuses_negative(const Candidate& candidate) {
-  return refuses(candidate, {23, 27}, "a negative content", [](Message& state) {
-    std::vector<double> content = state.numbers("neutral_content");
-    content[1] = -content[1];
-    state.arrays.front().bytes.assign(reinterpret_cast<const std::byte*>(content.data()),
-                                      reinterpret_cast<const std::byte*>(content.data() + content.size()));
+  return refuses(candidate, {23, 27}, "a negative leaked volume", [](Message& state) {
+    std::vector<double> leaked = state.numbers("neutral_leaked");
+    leaked[1] = -1e-6;
+    std::erase_if(state.arrays, [](const Array& array) { return array.name == "neutral_leaked"; });
+    state.add("neutral_leaked", "m", leaked);
   });
 }
 
@@ -242,9 +242,9 @@ std::vector<Check> neutral_checks() {
        .expected = "a neutral state from before the first interval begins as a run does",
        .capabilities = needed,
        .carry_out = from_the_beginning},
-      {.name = "neutral.negative_content",
+      {.name = "neutral.negative_leaked_volume",
        .contract = contract,
-       .expected = "FAIL to a neutral state with a negative content",
+       .expected = "FAIL to a neutral state with a negative leaked volume",
        .capabilities = needed,
        .carry_out = refuses_negative},
       {.name = "neutral.too_few",
