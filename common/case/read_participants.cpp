@@ -4,18 +4,23 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <regex>
 #include <string>
 
 #include "common/case/sections.hpp"
+#include "common/case/shipped_flow_solvers.hpp"
 
 namespace fissura::input {
 
 namespace {
 
-enum class NetworkSolver { fissura };
-
-constexpr std::array network_solvers{Named<NetworkSolver>{"fissura", NetworkSolver::fissura}};
+/// The places of the shipped flow solvers, by their names.
+constexpr auto network_solvers = [] {
+  std::array<Named<std::size_t>, shipped_flow_solvers.size()> names{};
+  for (std::size_t k = 0; k < names.size(); ++k) names[k] = {shipped_flow_solvers[k].name, k};
+  return names;
+}();
 
 /// "ipc", or TCP at an address in figures: a name could mean another machine tomorrow.
 bool is_endpoint(const std::string& endpoint) {
@@ -50,7 +55,8 @@ Exchange read_exchange(TableReader& document) {
 Participants read_participants(TableReader& document) {
   TableReader table = document.optional_table("participants");
   Participants participants;
-  table.choice("network", network_solvers, NetworkSolver::fissura);
+  if (const auto chosen = table.has("network") ? table.choice("network", network_solvers) : std::nullopt)
+    participants.network = shipped_flow_solvers[*chosen].name;
   table.refuse_unknown_keys();
   return participants;
 }

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "common/errors.hpp"
+#include "coupler/cli/flow_solver_command.hpp"
 #include "coupler/conformance/conformance_report.hpp"
 
 namespace fissura::coupler {
@@ -15,11 +16,11 @@ namespace {
 
 using namespace conformance;
 
-/// One word is a shell command, as for `--network`; several are the words of one.
+/// One word is what `--network` takes, the name of a shipped flow solver or a shell command; several are the
+/// words of one.
 std::string shell_command(const std::vector<std::string>& words) {
-  if (words.empty())
-    return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "network").string();
-  if (words.size() == 1) return words.front();
+  if (words.empty()) return flow_solver_command("implicit");
+  if (words.size() == 1) return flow_solver_command(words.front());
   std::string line;
   for (const std::string& word : words) {
     line += line.empty() ? "'" : " '";

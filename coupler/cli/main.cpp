@@ -82,7 +82,8 @@ int main(int argc, char** argv) {
   add_case_options(*run, options.source, short_form);
   run->add_option("--out", options.directory, "run directory");
   run->add_option("--network", options.network_command,
-                  "another flow solver; --connect ENDPOINT is appended");
+                  "the flow solver: implicit, explicit, uniform or python; or the command of another one, to "
+                  "which --connect ENDPOINT is appended");
   run->add_option("--structure", options.structure_command,
                   "another structure; --connect ENDPOINT is appended");
   run->add_option("--threads", options.threads, "threads of the structure; every core if not given")

@@ -14,6 +14,7 @@
 #include "common/exchange/participant.hpp"
 #include "common/faults/process_fault.hpp"
 #include "coupler/cli/epochs.hpp"
+#include "coupler/cli/flow_solver_command.hpp"
 #include "coupler/cli/natural_fracture_files.hpp"
 #include "coupler/cli/run_worker.hpp"
 #include "coupler/faults/proxy.hpp"
@@ -28,11 +29,6 @@
 namespace fissura::coupler {
 
 namespace {
-
-/// The shell word of the program `name` that stands beside this one.
-std::string sibling(const char* name) {
-  return fmt::format("'{}'", (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string());
-}
 
 std::filesystem::path default_directory(const CaseReading& reading,
                                         const std::vector<std::string>& variants) {
@@ -152,7 +148,8 @@ PreparedRun prepare_run(const RunOptions& options) {
   run.directory = options.directory.value_or(default_directory(run.reading, options.source.variants));
   RunDirectory::check(run.directory);
   run.structure_command = options.structure_command.value_or(sibling("structure"));
-  run.network_command = options.network_command.value_or(sibling("network"));
+  run.network_command =
+      flow_solver_command(options.network_command.value_or(run.reading.value.participants.network));
   if (options.keys) run.keys = std::filesystem::absolute(*options.keys);
   run.awaited = options.awaited;
   run.threads = options.threads > 0 ? options.threads

@@ -163,7 +163,8 @@ TEST_CASE("malformed case 39: participants cannot be given endpoints of their ow
 TEST_CASE("malformed case 40: a solver that nobody knows", "[common][case][malformed]") {
   check_addition_refused(
       "[participants]\nnetwork = @\"fisura\"\n",
-      "participants.network: found \"fisura\", expected one of fissura; did you mean \"fissura\"?");
+      "participants.network: found \"fisura\", expected one of implicit, fissura, explicit, uniform, "
+      "python; did you mean \"fissura\"?");
 }
 
 TEST_CASE("malformed case 41: an endpoint that is no address in figures", "[common][case][malformed]") {
