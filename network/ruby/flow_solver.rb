@@ -7,7 +7,7 @@ TYPES = { hello: 1, welcome: 2, reject: 3, insert: 11, acknowledge: 12, advance:
           finish: 50, bye: 51, fail: 60, progress: 61 }.freeze
 UNITS = Hash[*%w[aperture m aperture_rate m/s reference_pressure Pa compliance m/Pa closed 1 arm_aperture_a m
                  arm_aperture_b m pressure Pa aperture_predicted m filled 1 content m leaked m]].freeze
-ENVELOPE, MEGAPASCAL, NUDGE, ROUNDING, ANY = "a4CCS<a16L<L<Q<Q<Q<L<", 1e6, 1e-6, 2e-15, -Float::INFINITY
+ENVELOPE, MEGAPASCAL, NUDGE, ROUNDING, ANY, TIP = "a4CCS<a16L<L<Q<Q<Q<L<", 1e6, 1e-6, 2e-15, -Float::INFINITY, 1
 Refusal = Class.new(StandardError) { attr_accessor :code }
 Lost = Class.new(Refusal) # the coupler is gone: nobody is left to be told
 def refuse(code, sentence, kind = Refusal) = raise(kind.new(sentence).tap { |refusal| refusal.code = code })
@@ -105,7 +105,7 @@ class FlowSolver
     @well_index, @dry = run_case["injection"]["well_index"], @stages.empty?
     positive = [@thickness, @floor, @tolerance, @limit] + (@dry ? [] : [@mu, @stiffness, @well_index])
     refuse(10, "a number of the case is out of its range") unless positive.all?(&:positive?) && [@carter, @spurt].min >= 0
-    @nodes, @segments, @wells, @length, @content, @pressure, @leaked, @filled = Array.new(8) { [] }
+    @nodes, @segments, @wells, @length, @content, @pressure, @leaked, @filled, @swept = Array.new(9) { [] }
     @time, @well_pressure, @rate, @rate_before, @injected, @lost, @place = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, {}
   end
 
@@ -119,7 +119,9 @@ class FlowSolver
       expect[!@place.key?(node["id"]), "node #{node["id"]} exists"]
       @place[node["id"]] = @nodes.push(node).size - 1
       [@content, @pressure, @leaked, @filled].each { |values| values << 0.0 }
+      @swept << (@revision.zero? ? node["exposure_time"] : nil)
     end
+    @nodes.each_with_index { |node, i| @swept[i] ||= 0.5 * (node["exposure_time"] + @time) if node["role"] != TIP }
     @segments = @segments.reject { |segment| change["removed_segments"].include?(segment["id"]) } + change["new_segments"]
     @wells += change["new_perforations"].map { |perforation| place[perforation["node"]] }
     @ends = @segments.map { |segment| [place[segment["node_a"]], place[segment["node_b"]]] }
@@ -211,7 +213,7 @@ class FlowSolver
     stage = @stages.reverse.find { |each| each["begin"] <= @time }
     @stage, @rate_before = stage, @rate if stage != @stage
     @to, duration, count, rate = to, to - @time, @nodes.size, target(0.5 * (@time + to))
-    exposed = @nodes.map { |node| [to - node["exposure_time"], 0.0].max } # (3e)
+    exposed = @swept.zip(@nodes).map { |mean, node| [mean ? to - mean : 4.0 / 9 * (to - node["exposure_time"]), 0.0].max } # 3.4
     asked = exposed.zip(@leaked).map { |t, v| t.zero? ? 0.0 : [2 * @spurt + 4 * @carter * Math.sqrt(t) - v, 0.0].max }
     unknown = @filled.zip(@pressure).map { |part, p| part < 1 ? -NUDGE : p / MEGAPASCAL } << @well_pressure / MEGAPASCAL
     (0..@limit).each do
@@ -220,8 +222,7 @@ class FlowSolver
       right = Array.new(count) { |i| @length[i] * (cells[i][2] + asked[i] - @content[i]) } << -duration * rate
       moved = right.sum(&:abs)
       noise = (0...count).sum { |i| @length[i] * (cells[i][2].abs + asked[i] + @compliance[i] * @reference[i].abs) }
-      diagonal = Array.new(count) { |i| @length[i] * cells[i][3] } << (@wells.empty? ? 1.0 : 0.0)
-      rows = diagonal.each_index.map { |i| Hash.new(0.0).update(i => diagonal[i]) }
+      rows = (0..count).map { |i| Hash.new(0.0).update(i => i < count ? @length[i] * cells[i][3] : @wells.empty? ? 1.0 : 0.0) }
       @edges.each do |a, b, conductance| # (3a)
         [[a, b], [b, a]].each do |here, there|
           right[here] += duration * conductance * (cells[here][0] - cells[there][0])
