@@ -155,6 +155,19 @@ std::string goes_on_leaking(const Candidate& candidate) {
   return goes_on(candidate, run_case, scene);
 }
 
+std::string goes_on_in_a_ramp(const Candidate& candidate) {
+  Case run_case = pumped_case();
+  Stage ramp = run_case.injection.stages.front();
+  ramp.begin = 0.4;
+  ramp.ramp = 1;
+  ramp.rate *= 3;
+  run_case.injection.stages.push_back(ramp);
+  PumpedSlit scene(candidate, run_case,
+                   straight_slit(PumpedSlit::nodes, PumpedSlit::spacing, PumpedSlit::nodes / 2));
+  begin(scene);
+  return goes_on(candidate, run_case, scene);
+}
+
 std::string from_the_beginning(const Candidate& candidate) {
   PumpedSlit scene(candidate);
   const Message given = neutral_part(scene.driver.save());
@@ -237,6 +250,11 @@ std::vector<Check> neutral_checks() {
        .physics = {claims::leak_off},
        .capabilities = needed,
        .carry_out = goes_on_leaking},
+      {.name = "neutral.goes_on_in_a_ramp",
+       .contract = contract,
+       .expected = "the same while the rate rises",
+       .capabilities = needed,
+       .carry_out = goes_on_in_a_ramp},
       {.name = "neutral.from_the_beginning",
        .contract = contract,
        .expected = "a neutral state from before the first interval begins as a run does",

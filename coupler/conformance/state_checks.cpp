@@ -52,12 +52,12 @@ void begin(PumpedSlit& scene) {
 }
 
 /// Answers of another process that goes on from `state` as `scene` does now.
-std::vector<FlowAnswer> answers_after_restoring(const Candidate& candidate, const PumpedSlit& scene,
-                                                const Message& state) {
+std::vector<FlowAnswer> answers_after_restoring(const Candidate& candidate, const Case& run_case,
+                                                const PumpedSlit& scene, const Message& state) {
   Candidate resumed = candidate;
   resumed.epoch = 1;
   Driver driver(resumed);
-  driver.resume(pumped_case(), scene.driver.insertions(), scene.driver.interval(), state);
+  driver.resume(run_case, scene.driver.insertions(), scene.driver.interval(), state);
   std::vector<FlowAnswer> answers;
   std::vector<double> pressure = scene.last.pressure;
   double time = scene.time;
@@ -72,11 +72,12 @@ std::vector<FlowAnswer> answers_after_restoring(const Candidate& candidate, cons
   return answers;
 }
 
-std::string restored(const Candidate& candidate) {
-  PumpedSlit scene(candidate);
+std::string restored(const Candidate& candidate, const Case& run_case) {
+  PumpedSlit scene(candidate, run_case,
+                   straight_slit(PumpedSlit::nodes, PumpedSlit::spacing, PumpedSlit::nodes / 2));
   begin(scene);
   const Message state = scene.driver.save();
-  const std::vector<FlowAnswer> resumed = answers_after_restoring(candidate, scene, state);
+  const std::vector<FlowAnswer> resumed = answers_after_restoring(candidate, run_case, scene, state);
   const std::vector<FlowAnswer> straight = go_on(scene);
   for (int k = 0; k < intervals_after; ++k)
     require_same_answer(fmt::format("interval {} after RESTORE", k + 1), resumed[k], straight[k]);
@@ -84,10 +85,25 @@ std::string restored(const Candidate& candidate) {
                      intervals_after, state.bytes("state").size());
 }
 
+/// What a state has to hold depends on the physics.
+Check restoring(const std::string& name, const std::string& what, const std::set<std::string>& physics,
+                const std::function<void(Case&)>& change) {
+  return {.name = "state." + name,
+          .contract = contract,
+          .expected = "the same bits " + what,
+          .physics = physics,
+          .capabilities = save_and_restore,
+          .carry_out = [change](const Candidate& candidate) {
+            Case run_case = pumped_case();
+            change(run_case);
+            return restored(candidate, run_case);
+          }};
+}
+
 std::string restored_at_the_beginning(const Candidate& candidate) {
   PumpedSlit scene(candidate);
   const Message state = scene.driver.save();
-  const std::vector<FlowAnswer> resumed = answers_after_restoring(candidate, scene, state);
+  const std::vector<FlowAnswer> resumed = answers_after_restoring(candidate, pumped_case(), scene, state);
   const std::vector<FlowAnswer> straight = go_on(scene);
   for (int k = 0; k < intervals_after; ++k)
     require_same_answer(fmt::format("interval {} after RESTORE", k + 1), resumed[k], straight[k]);
@@ -153,7 +169,33 @@ std::vector<Check> state_checks() {
        .contract = contract,
        .expected = "a fresh process goes on from STATE with the same bits, through an insertion too",
        .capabilities = save_and_restore,
-       .carry_out = restored},
+       .carry_out = [](const Candidate& candidate) { return restored(candidate, pumped_case()); }},
+      restoring("leaking", "with leak-off and spurt", {claims::leak_off},
+                [](Case& run_case) { run_case.leak_off = {.coefficient = 1e-6, .spurt_volume = 1e-6}; }),
+      restoring("in_a_ramp", "where it was saved while the rate rises", {},
+                [](Case& run_case) {
+                  Stage ramp = run_case.injection.stages.front();
+                  ramp.begin = 0.3;
+                  ramp.ramp = 1;
+                  ramp.rate *= 3;
+                  run_case.injection.stages.push_back(ramp);
+                }),
+      restoring("power_law", "with a power-law fluid", {claims::power_law},
+                [](Case& run_case) {
+                  run_case.fluids.front().consistency_index = 0.05;
+                  run_case.fluids.front().power_index = 0.6;
+                }),
+      restoring("displacing", "while one fluid displaces another", {claims::several_fluids},
+                [](Case& run_case) {
+                  Fluid oil = run_case.fluids.front();
+                  oil.name = "oil";
+                  oil.consistency_index *= 5;
+                  run_case.fluids.push_back(oil);
+                  Stage second = run_case.injection.stages.front();
+                  second.begin = 0.2;
+                  second.fluid = oil.name;
+                  run_case.injection.stages.push_back(second);
+                }),
       {.name = "state.at_the_beginning",
        .contract = contract,
        .expected = "the same where it was saved before the first interval",
