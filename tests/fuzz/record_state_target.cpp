@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The record's state in a checkpoint, beside the tables and segments of a short run: taken up and gone on with, or refused before
 // anything is changed.
+#include <system_error>
+
 #include "tests/coupler/record/scripted_run.hpp"
 #include "tests/fuzz/folder.hpp"
 #include "tests/fuzz/judged.hpp"
@@ -24,11 +26,20 @@ const fs::path& short_run() {
   return run;
 }
 
+/// The fuzzer's alarm clock may interrupt it.
+void copy_afresh(const fs::path& from, const fs::path& to) {
+  std::error_code failure;
+  do {
+    fs::remove_all(to);
+    fs::copy(from, to, fs::copy_options::recursive, failure);
+  } while (failure == std::errc::interrupted);
+  MUST_HOLD(!failure);
+}
+
 void resume(const std::vector<std::byte>& bytes) {
   RunRecord::check(short_run(), bytes);
   const fs::path copy = short_run().parent_path() / "copy";
-  fs::remove_all(copy);
-  fs::copy(short_run(), copy, fs::copy_options::recursive);
+  copy_afresh(short_run(), copy);
   RunRecord record(copy, sample::reports_per_segment);
   record.resume(sample::description(), bytes);
   sample::record_interval(record, last + 1);
