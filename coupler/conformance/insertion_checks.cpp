@@ -76,17 +76,31 @@ Check conserving(const std::string& name, const std::string& what, const MakeIns
           .carry_out = [make](const Candidate& candidate) { return conserves(candidate, make); }};
 }
 
-/// The arms to a new node are so narrow that an interval hardly brings it anything.
 std::string new_node_is_dry(const Candidate& candidate) {
-  constexpr double narrow = 1e-5, short_time = 1e-3, nearly_dry = 0.05;
   PumpedSlit scene(candidate);
   scene.advance_many(4);
   scene.driver.insert(tip_growth(scene.driver.network(), PumpedSlit::spacing, scene.time));
   const std::size_t added = scene.driver.network().nodes().size() - 1;
   const ReportedFields fields = scene.driver.report();
-  for (const char* field : {"content", "pressure", "filled"})
-    if (const auto values = fields.find(field))
-      require_close(fmt::format("{} of the new node in FIELDS", field), values->at(added), 0, 0);
+  std::string told;
+  for (const char* field : {"content", "pressure", "filled"}) {
+    const std::optional<std::vector<double>> values = fields.find(field);
+    if (!values) continue;
+    require(values->size() > added, fmt::format("{} of {} nodes in FIELDS", field, added + 1),
+            fmt::format("{}", values->size()));
+    require_close(fmt::format("{} of the new node in FIELDS", field), values->at(added), 0, 0);
+    told += fmt::format("{}{} 0", told.empty() ? "" : ", ", field);
+  }
+  return told.empty() ? "FIELDS does not tell" : told;
+}
+
+/// The arms to a new node are so narrow that an interval hardly brings it anything.
+std::string new_node_fills_by_flow(const Candidate& candidate) {
+  constexpr double narrow = 1e-5, short_time = 1e-3, nearly_dry = 0.05;
+  PumpedSlit scene(candidate);
+  scene.advance_many(4);
+  scene.driver.insert(tip_growth(scene.driver.network(), PumpedSlit::spacing, scene.time));
+  const std::size_t added = scene.driver.network().nodes().size() - 1;
   CouplingInterval interval = scene.next(short_time);
   const std::size_t segments = scene.driver.network().segments().size();
   interval.arm_aperture_a.assign(segments, 1e-4);
@@ -250,6 +264,11 @@ std::vector<Check> insertion_checks() {
        .contract = contract,
        .expected = "a new node joins without content and without pressure",
        .carry_out = new_node_is_dry},
+      {.name = "insertion.new_node_fills_by_flow",
+       .contract = contract,
+       .expected = "a new node gets its fluid through its segments only",
+       .physics = {claims::viscous_flow},
+       .carry_out = new_node_fills_by_flow},
       {.name = "insertion.split_at_rest",
        .contract = contract,
        .expected = "a slit at rest is at rest after one of its segments was split",
