@@ -263,6 +263,7 @@ std::vector<Check> insertion_checks() {
       {.name = "insertion.new_node_is_dry",
        .contract = contract,
        .expected = "a new node joins without content and without pressure",
+       .physics = {claims::viscous_flow},
        .carry_out = new_node_is_dry},
       {.name = "insertion.new_node_fills_by_flow",
        .contract = contract,
