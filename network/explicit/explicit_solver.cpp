@@ -60,13 +60,15 @@ int ExplicitSolver::cover(double end) {
   const bool moving = moves(*interval_), newtonian = case_.fluids.front().power_index == 1;
   begin_piece(end);
   const double longest = (end - begin) / least_sub_steps;
+  // Time has no room for more sub-steps: stages may begin a rounding error before intervals do.
+  const double shortest = least_sub_steps * (std::nextafter(end, infinite) - end);
   double bound = stable_step();
   long steps = 0;
   while (state_.time < end) {
     if (steps > 0 && !newtonian) set_conductance();
     if (steps > 0 && (moving || !newtonian)) bound = stable_step();
     const double left = end - state_.time;
-    const double count = std::max(1.0, std::ceil(left / std::min(bound, longest)));
+    const double count = left <= shortest ? 1 : std::max(1.0, std::ceil(left / std::min(bound, longest)));
     const double dt = left / count, next = count <= 1 ? end : state_.time + dt;
     if (moving) set_laws(next);
     sub_step(dt, dt / (end - begin));
