@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -64,6 +65,18 @@ class ParticipantChannel {
 /// Number the coupler gives a connection; never reused within a run.
 using PeerNumber = std::uint64_t;
 
+/// The frames of one message: envelope, body, arrays.
+using FrameViews = std::span<const std::span<const std::byte>>;
+
+/// Sees every message of a coupler's channel as it is on the wire: one to a peer when it is stamped, just
+/// before it is handed to the transport; one of a peer when it has come, before anything in it is checked.
+class FrameObserver {
+ public:
+  virtual ~FrameObserver() = default;
+  virtual void sent(PeerNumber peer, FrameViews frames) = 0;
+  virtual void received(PeerNumber peer, FrameViews frames) = 0;
+};
+
 /// Where and to whom the coupler listens.
 struct Listening {
   std::string endpoint;                  ///< ipc://PATH, tcp://ADDRESS:PORT, tcp://ADDRESS:*
@@ -107,6 +120,10 @@ class CouplerChannel {
 
   /// The address participants of this machine connect to, with the port filled in.
   [[nodiscard]] const std::string& endpoint() const;
+
+  /// From now on `observer` sees what passes. What it throws comes out of `send` and `wait`. @pre it outlives
+  /// the channel
+  void observe(FrameObserver& observer);
 
   /// Logs "a peer was WHAT", at most once a minute for each `kind`.
   void note(const std::string& kind, const std::string& what);

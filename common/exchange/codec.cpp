@@ -76,6 +76,12 @@ EncodedMessage encode(Message message, const Stamp& stamp) {
   return encoded;
 }
 
+std::vector<std::span<const std::byte>> frames_of(const EncodedMessage& encoded) {
+  std::vector<std::span<const std::byte>> frames{encoded.envelope, bytes_of(encoded.body)};
+  frames.insert(frames.end(), encoded.arrays.begin(), encoded.arrays.end());
+  return frames;
+}
+
 DecodedMessage decode(std::span<const std::span<const std::byte>> frames) {
   if (frames.size() < 2)
     throw ProtocolError(fmt::format("a message has at least 2 frames, found {}", frames.size()));

@@ -18,6 +18,9 @@ struct EncodedMessage {
   std::vector<std::vector<std::byte>> arrays;
 };
 
+/// Its frames in their order, as long as it stays where it is.
+std::vector<std::span<const std::byte>> frames_of(const EncodedMessage& encoded);
+
 /// Identity of a sender within a run: stamped on every message, checked on every receipt.
 struct Stamp {
   RunId run{};

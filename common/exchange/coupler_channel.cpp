@@ -31,6 +31,12 @@ std::string reachable_here(std::string endpoint) {
   return endpoint;
 }
 
+std::vector<std::span<const std::byte>> views_of(std::span<const zmq::message_t> frames) {
+  std::vector<std::span<const std::byte>> views;
+  for (const zmq::message_t& frame : frames) views.emplace_back(frame.data<std::byte>(), frame.size());
+  return views;
+}
+
 std::string why_not_bound(const std::string& endpoint, const zmq::error_t& fault) {
   if (fault.num() == EADDRINUSE)
     return fmt::format(
@@ -79,9 +85,11 @@ class CouplerChannel::Implementation {
     Peer& peer = found->second;
     if (message.type == MessageType::welcome && peer.connection) guard_.keep(*peer.connection);
     try {
+      EncodedMessage encoded = encode(std::move(message), {run_, epoch_, peer.sent});
+      if (observer_ != nullptr) observer_->sent(number, frames_of(encoded));
       zmq::message_t identity(peer.identity.data(), peer.identity.size());
       if (!send_frame(socket_, std::move(identity), More::follow) ||
-          !send_frames(socket_, encode(std::move(message), {run_, epoch_, peer.sent})))
+          !send_frames(socket_, std::move(encoded)))
         throw ProtocolError(fmt::format("{} could not be sent: the outgoing queue is full", label));
       ++peer.sent;
       if (type == MessageType::welcome || type == MessageType::reject)
@@ -109,6 +117,8 @@ class CouplerChannel::Implementation {
     peers_.erase(loss.peer);
     return loss;
   }
+
+  void observe(FrameObserver& observer) { observer_ = &observer; }
 
   void note(const std::string& kind, const std::string& what) { guard_.note(kind, what); }
 
@@ -174,6 +184,7 @@ class CouplerChannel::Implementation {
 
   Event event_of(PeerNumber number, const std::vector<zmq::message_t>& frames) {
     const std::span content = std::span(frames).subspan(1);
+    if (observer_ != nullptr) observer_->received(number, views_of(content));
     try {
       return received(number, decode_frames(content), frames.back());
     } catch (const OtherVersion& fault) {
@@ -200,6 +211,7 @@ class CouplerChannel::Implementation {
   std::map<PeerNumber, Peer> peers_;
   PeerNumber next_peer_ = 1;
   std::deque<PeerLost> losses_;
+  FrameObserver* observer_ = nullptr;
 };
 
 CouplerChannel::CouplerChannel(const Listening& listening, const RunId& run, std::uint32_t epoch)
@@ -209,6 +221,9 @@ CouplerChannel::CouplerChannel(const std::string& endpoint, const RunId& run, st
 CouplerChannel::~CouplerChannel() = default;
 const std::string& CouplerChannel::endpoint() const {
   return implementation_->endpoint();
+}
+void CouplerChannel::observe(FrameObserver& observer) {
+  implementation_->observe(observer);
 }
 void CouplerChannel::note(const std::string& kind, const std::string& what) {
   implementation_->note(kind, what);

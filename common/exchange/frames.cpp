@@ -7,6 +7,7 @@
 #include <zmq.hpp>
 
 #include "common/exchange/channel.hpp"
+#include "common/exchange/debugger.hpp"
 
 namespace fissura {
 
@@ -47,10 +48,11 @@ void set_common_options(zmq::socket_t& socket, std::int64_t largest_frame) {
   socket.set(zmq::sockopt::rcvhwm, queue_length);
   socket.set(zmq::sockopt::maxmsgsize, largest_frame);
   socket.set(zmq::sockopt::handshake_ivl, handshake_ms);
+  socket.set(zmq::sockopt::reconnect_ivl, -1);
+  if (may_be_held()) return;
   socket.set(zmq::sockopt::heartbeat_ivl, heartbeat_interval_ms);
   socket.set(zmq::sockopt::heartbeat_timeout, silence_ms - heartbeat_interval_ms);
   socket.set(zmq::sockopt::heartbeat_ttl, 2 * silence_ms);
-  socket.set(zmq::sockopt::reconnect_ivl, -1);
 }
 
 bool send_frame(zmq::socket_t& socket, zmq::message_t&& frame, More more) {

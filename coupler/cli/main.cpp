@@ -10,6 +10,7 @@
 #include "coupler/cli/check_command.hpp"
 #include "coupler/cli/conform_command.hpp"
 #include "coupler/cli/keys_command.hpp"
+#include "coupler/cli/replay_command.hpp"
 #include "coupler/cli/report_command.hpp"
 #include "coupler/cli/run_command.hpp"
 #include "coupler/cli/seismicity_command.hpp"
@@ -67,6 +68,34 @@ void add_conform_options(CLI::App& command, fissura::coupler::ConformOptions& op
       ->check(CLI::Range(0.1, 1e6));
 }
 
+void add_tape_option(CLI::App& command, std::vector<std::string>& roles) {
+  command.add_option("--tape", roles, "records every message of network, structure, or network,structure")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"structure", "network"}));
+}
+
+void add_replay_options(CLI::App& command, fissura::coupler::ReplayRunOptions& options) {
+  command.add_option("RUN", options.run_directory, "run directory with a tape of that role")->required();
+  command.add_option("--role", options.role, "network or structure")
+      ->required()
+      ->check(CLI::IsMember({"structure", "network"}));
+  command.add_option("--command", options.command, "another program (of the network also by name); --connect ENDPOINT is appended")
+      ->type_name("CMD");
+  command.add_option("--epoch", options.epoch, "which life of the run; the newest if not given");
+  command.add_option("--until", options.until, "last coupling interval to replay")->type_name("INTERVAL");
+  command.add_flag("--debug-attach", options.debug_attach,
+                   "waits for a debugger; no deadline ends the replay");
+}
+
+void add_bisect_options(CLI::App& command, fissura::coupler::BisectOptions& options) {
+  command.add_option("RUN_A", options.first, "run directory with a tape")->required();
+  command.add_option("RUN_B", options.second, "likewise")->required();
+  command.add_option("--role", options.role, "network or structure; every one that both taped if not given")
+      ->check(CLI::IsMember({"structure", "network"}));
+  command.add_option("--epoch", options.epoch, "which life of the runs; the first if not given");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -102,6 +131,7 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"structure", "network"}))
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_tape_option(*run, options.tape);
   run->add_flag("--json", options.json, "prints the summary as JSON");
 
   fissura::coupler::ResumeOptions resume_options;
@@ -113,6 +143,7 @@ int main(int argc, char** argv) {
   resume->add_option("--fault-plan", resume_options.fault_plan, "injects the faults of this file, as in run")
       ->type_name("FILE");
   resume->add_flag("--heal", resume_options.heal, "goes on by itself after a process died or hung");
+  add_tape_option(*resume, resume_options.tape);
   resume->add_flag("--json", resume_options.json, "prints the summary as JSON");
 
   CLI::App* check = program.add_subcommand("check", "every fault of a case, or what follows from it");
@@ -159,6 +190,15 @@ int main(int argc, char** argv) {
   CLI::App* conform = program.add_subcommand("conform", "whether a flow solver keeps the contract");
   add_conform_options(*conform, conform_options);
 
+  fissura::coupler::ReplayRunOptions replay_options;
+  CLI::App* replay =
+      program.add_subcommand("replay", "runs a participant alone against the tape of a run");
+  add_replay_options(*replay, replay_options);
+
+  fissura::coupler::BisectOptions bisect_options;
+  CLI::App* bisect = program.add_subcommand("bisect", "where the tapes of two runs part, and who said it");
+  add_bisect_options(*bisect, bisect_options);
+
   try {
     program.parse(argc, argv);
     conform_options.command = conform->remaining();
@@ -174,6 +214,8 @@ int main(int argc, char** argv) {
       return fissura::coupler::stop_command(run_directory,
                                             now ? StopTime::at_once : StopTime::next_coupling_time, patience);
     if (verify->parsed()) return fissura::coupler::verify_command(run_directory);
+    if (replay->parsed()) return fissura::coupler::replay_command(replay_options);
+    if (bisect->parsed()) return fissura::coupler::bisect_command(bisect_options);
     if (seismicity->parsed()) return fissura::coupler::seismicity_command(seismicity_options);
     return fissura::coupler::check_command(options.source, picture);
   } catch (const CLI::ParseError& fault) {

@@ -46,6 +46,7 @@ json content_of(const PreparedRun& run) {
           {"network_command", run.network_command},
           {"keys", run.keys ? json(*run.keys) : json()},
           {"awaited", run.awaited},
+          {"tape", run.tape},
           {"threads", run.threads},
           {"json", run.json},
           {"command_line", run.command_line}};
@@ -63,6 +64,7 @@ PreparedRun run_of(const json& content) {
   run.network_command = content.at("network_command").get<std::string>();
   if (const json& keys = content.at("keys"); !keys.is_null()) run.keys = keys.get<std::filesystem::path>();
   run.awaited = content.at("awaited").get<std::vector<std::string>>();
+  run.tape = content.value("tape", run.tape);
   run.threads = content.at("threads").get<int>();
   run.json = content.at("json").get<bool>();
   run.command_line = content.at("command_line").get<std::vector<std::string>>();

@@ -23,6 +23,7 @@ struct PreparedRun {
   std::string structure_command, network_command;
   std::optional<std::filesystem::path> keys;  ///< directory, absolute
   std::vector<std::string> awaited;           ///< roles that somebody else starts
+  std::vector<std::string> tape;              ///< roles whose messages are recorded
   Listening listening;                        ///< not in resume.json: keys are read anew
   int threads = 1;
   bool json = false;

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "common/case/units.hpp"
+#include "common/exchange/debugger.hpp"
 #include "common/exchange/participant.hpp"
 #include "common/faults/process_fault.hpp"
 #include "coupler/cli/epochs.hpp"
@@ -117,6 +118,7 @@ int supervised(const PreparedRun& prepared, const Attempt& first, bool heals) {
   run.network_command = relayed(run, "network", prepared.network_command);
   // Threads of the structure that wait for each other long would keep the other two processes from the cores.
   ::setenv("GOMP_SPINCOUNT", "1000", 0);
+  if (run.debug_attach) announce_debugger();
   const SocketPlace socket(run.directory);
   if (run.listening.endpoint == "ipc") run.listening.endpoint = socket.endpoint();
   StatusPage status(run.directory / "status");
@@ -152,6 +154,7 @@ PreparedRun prepare_run(const RunOptions& options) {
       flow_solver_command(options.network_command.value_or(run.reading.value.participants.network));
   if (options.keys) run.keys = std::filesystem::absolute(*options.keys);
   run.awaited = options.awaited;
+  run.tape = options.tape;
   run.threads = options.threads > 0 ? options.threads
                                     : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   run.json = options.json;
@@ -181,6 +184,7 @@ int resume_command(const ResumeOptions& options) {
   run.directory = directory.path();
   if (options.threads > 0) run.threads = options.threads;
   run.json = run.json || options.json;
+  if (!options.tape.empty()) run.tape = options.tape;
   read_faults(options.fault, options.fault_plan, run);
   announce_faults(options.fault, run);
   open_door(run);

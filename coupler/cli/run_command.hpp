@@ -23,6 +23,7 @@ struct RunOptions {
   std::optional<std::filesystem::path> fault_plan;
   std::optional<std::filesystem::path> keys;  ///< directory, see curve_keys.hpp
   std::vector<std::string> awaited;           ///< roles that somebody else starts
+  std::vector<std::string> tape;              ///< roles whose messages are recorded
   int threads = 0;                            ///< of the structure; 0: every core
   bool heal = false;                          ///< go on by itself after a death
   bool debug_attach = false;                  ///< a debugger may hold a process: no deadline ends the run
@@ -42,6 +43,7 @@ struct ResumeOptions {
   int threads = 0;  ///< of the structure; 0: as many as before
   bool json = false;
   bool heal = false;
+  std::vector<std::string> tape;     ///< roles whose messages are recorded; none: as before
   std::optional<std::string> fault;  ///< as in RunOptions
   std::optional<std::filesystem::path> fault_plan;
 };

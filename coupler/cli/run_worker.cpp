@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 
 #include "common/case/case_json.hpp"
 #include "common/faults/fault_point.hpp"
@@ -20,6 +21,7 @@
 #include "coupler/record/run_record.hpp"
 #include "coupler/scheme/staggered_scheme.hpp"
 #include "coupler/seismicity/analysis/analysis_json.hpp"
+#include "coupler/tape/tape_recorder.hpp"
 #include "coupler/verdict/summary.hpp"
 #include "coupler/verdict/verdict_table.hpp"
 
@@ -55,6 +57,13 @@ RunFailure failure_of(ExitCode code, const char* who, std::uint64_t interval, co
   return failure;
 }
 
+std::set<Role> taped_roles(const PreparedRun& run) {
+  std::set<Role> roles;
+  for (const Role role : {Role::structure, Role::network})
+    if (std::find(run.tape.begin(), run.tape.end(), name(role)) != run.tape.end()) roles.insert(role);
+  return roles;
+}
+
 class Worker {
  public:
   Worker(const PreparedRun& run, const Attempt& attempt, StatusPage& status)
@@ -64,6 +73,7 @@ class Worker {
         store_(run.directory, run.reading.value.checkpoint.keep),
         record_(run.directory, run.reading.value.output.reports_per_segment),
         monitor_(run.reading.value),
+        tapes_(run.directory, taped_roles(run), run.run_id, attempt.epoch),
         trio_(trio_options(), run.run_id, attempt.epoch, status) {}
 
   int execute() {
@@ -106,6 +116,7 @@ class Worker {
       if (std::find(run_.awaited.begin(), run_.awaited.end(), name(role)) == run_.awaited.end())
         options.command[static_cast<std::size_t>(role)] = command;
     if (run_.keys) options.more_words = " --keys " + shell_word(run_.keys->string());
+    if (!run_.tape.empty()) options.observer = &tapes_;
     options.threads = run_.threads;
     options.deadlines = run_.reading.value.deadlines;
     options.debug_attach = run_.debug_attach;
@@ -264,6 +275,7 @@ class Worker {
   }
 
   int conclude(int stop_signal) {
+    tapes_.sync();
     record_.close();
     monitor_.finish(analysis());
     const Verdict verdict = stop_signal == 0 ? judge(run_.expectations, record_.history()) : Verdict{};
@@ -310,6 +322,7 @@ class Worker {
   CheckpointStore store_;
   RunRecord record_;
   SeismicMonitor monitor_;
+  TapeRecorder tapes_;
   Trio trio_;
   RunFigures figures_;
   bool recording_ = false;  ///< run.json and the tables exist

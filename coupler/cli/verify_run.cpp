@@ -23,6 +23,7 @@
 #include "coupler/record/run_record.hpp"
 #include "coupler/record/sealed_line.hpp"
 #include "coupler/scheme/seismic_monitor.hpp"
+#include "coupler/tape/tape.hpp"
 
 namespace fissura::coupler {
 
@@ -73,6 +74,7 @@ class Verification {
     verify_segments();
     verify_checksums();
     verify_checkpoints();
+    verify_tapes();
     verify_readable("ledger.csv", [&](const fs::path& file) { return check_ledger(file); });
     verify_readable("history.csv", [&](const fs::path& file) { return check_history(file); });
     verify_readable("log.jsonl", check_log);
@@ -241,6 +243,15 @@ class Verification {
     } catch (const Error& fault) {
       damaged(name, fmt::format("{} ({})", fault.what(), when));
     }
+  }
+
+  /// Of a run that goes on or was killed, the last message may not be whole.
+  void verify_tapes() {
+    for (const Role role : {Role::structure, Role::network})
+      for (const std::uint32_t epoch : taped_epochs(directory_, role)) {
+        const fs::path file = tape_file(directory_, role, epoch);
+        verify_readable(file.lexically_relative(directory_).string(), check_tape);
+      }
   }
 
   template <typename Check>

@@ -16,6 +16,7 @@
 #include "coupler/record/hdf5_file.hpp"
 #include "coupler/record/interval_record.hpp"
 #include "coupler/seismicity/catalogue/catalogue_csv.hpp"
+#include "coupler/tape/tape_reader.hpp"
 
 namespace fissura::coupler {
 
@@ -137,6 +138,16 @@ std::string check_arrays(const std::filesystem::path& file) {
   const std::vector<std::string> names = opened.datasets();
   for (const std::string& name : names) (void)opened.read(name);
   return fmt::format("{} arrays with their checksums", names.size());
+}
+
+std::string check_tape(const std::filesystem::path& file) {
+  TapeReader tape(file);
+  std::uint64_t count = 0;
+  for (; const std::optional<TapeRecord> record = tape.next(); ++count)
+    if (record->damaged)
+      throw StorageError(fmt::format("message {} at byte {}: its checksum differs", count, record->offset));
+  const char* end = tape.cut_bytes() > 0 ? ", the last one is cut off" : "";
+  return fmt::format("{} messages, each with its checksum{}", count, end);
 }
 
 }  // namespace fissura::coupler

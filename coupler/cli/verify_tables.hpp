@@ -25,4 +25,7 @@ std::string check_catalogue(const std::filesystem::path& file);
 /// An HDF5 file: every array can be read, its checksum fits.
 std::string check_arrays(const std::filesystem::path& file);
 
+/// A tape (coupler/tape/tape.hpp): every message is as it was written; what is cut off at the end is told.
+std::string check_tape(const std::filesystem::path& file);
+
 }  // namespace fissura::coupler

@@ -8,6 +8,7 @@
 
 #include "common/errors.hpp"
 #include "common/exchange/channel.hpp"
+#include "common/exchange/debugger.hpp"
 
 namespace fissura::coupler {
 
@@ -31,9 +32,11 @@ class FrameLink::Implementation {
     reports_.connect(address);
     const int silence_ms = static_cast<int>(transport_silence.count() * 1000);
     socket_.set(zmq::sockopt::linger, linger_ms);
-    socket_.set(zmq::sockopt::heartbeat_ivl, heartbeat_interval_ms);
-    socket_.set(zmq::sockopt::heartbeat_timeout, silence_ms - heartbeat_interval_ms);
-    socket_.set(zmq::sockopt::heartbeat_ttl, 2 * silence_ms);
+    if (!may_be_held()) {
+      socket_.set(zmq::sockopt::heartbeat_ivl, heartbeat_interval_ms);
+      socket_.set(zmq::sockopt::heartbeat_timeout, silence_ms - heartbeat_interval_ms);
+      socket_.set(zmq::sockopt::heartbeat_ttl, 2 * silence_ms);
+    }
     socket_.set(zmq::sockopt::reconnect_ivl, -1);
     try {
       if (end == End::connects)

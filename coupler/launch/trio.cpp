@@ -52,6 +52,7 @@ Trio::Trio(const TrioOptions& options, const RunId& run, std::uint32_t epoch, St
   participants_[0].role = Role::structure;
   participants_[1].role = Role::network;
   for (Participant& each : participants_) each.ladder = ProgressLadder(options.deadlines.progress);
+  if (options.observer != nullptr) channel_.observe(*options.observer);
 }
 
 Trio::~Trio() = default;

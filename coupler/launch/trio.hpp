@@ -45,6 +45,7 @@ struct TrioOptions {
       false;  ///< a debugger may hold a participant: neither silence nor being stopped ends the run
   std::string more_words = {};  ///< of every command, e.g. " --keys 'DIR'"
   TrioWarning on_warning = {};  ///< without it warnings go to the log
+  FrameObserver* observer = nullptr;  ///< sees every message, if there is one; outlives the trio
 };
 
 /// Where a run begins: at time 0, or at a checkpoint that RESTORE brings next.

@@ -35,7 +35,7 @@ constexpr std::array result_files{"run.json",
                                   "natural_fractures.json",
                                   "summary.json",
                                   "resume.json"};
-constexpr std::array result_folders{"input", "segments", "seismicity"};
+constexpr std::array result_folders{"input", "segments", "seismicity", "tape"};
 constexpr std::size_t hash_digits = 64;
 constexpr std::string_view separator = "  ";
 

@@ -13,6 +13,7 @@
 
 #include "common/errors.hpp"
 #include "common/exchange/codec.hpp"
+#include "common/hash.hpp"
 
 namespace fissura::coupler {
 
@@ -105,6 +106,18 @@ Frames DrivenParticipant::stamped(Message message) {
 
 bool DrivenParticipant::say(Message message) {
   return say_frames(stamped(std::move(message)));
+}
+
+bool DrivenParticipant::say_again(Frames message) {
+  Envelope envelope = decode_envelope(message.at(0));
+  envelope.sequence = sent_++;
+  EnvelopeBytes bytes = encode(envelope);
+  std::uint32_t sum = crc32(std::span(bytes).first(envelope_size - sizeof(envelope.checksum)));
+  for (std::size_t i = 1; i < message.size(); ++i) sum = crc32(message[i], sum);
+  envelope.checksum = sum;
+  bytes = encode(envelope);
+  message[0].assign(bytes.begin(), bytes.end());
+  return say_frames(message);
 }
 
 bool DrivenParticipant::say_frames(const Frames& frames) {

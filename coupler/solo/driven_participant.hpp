@@ -75,6 +75,9 @@ class DrivenParticipant {
   bool say(Message message);
   /// `message` as the next one, not yet sent; its sequence number is used up.
   Frames stamped(Message message);
+  /// Sends a message that was said before, in the same run and epoch: with the next sequence number, and a
+  /// checksum that fits.
+  bool say_again(Frames message);
   /// Sends frames as they are.
   bool say_frames(const Frames& frames);
 
