@@ -30,12 +30,9 @@ Stamp sample_stamp() {
   return stamp;
 }
 
-std::vector<std::vector<std::byte>> frames_of(const EncodedMessage& encoded) {
+std::vector<std::vector<std::byte>> copied_frames(const EncodedMessage& encoded) {
   std::vector<std::vector<std::byte>> frames;
-  frames.emplace_back(encoded.envelope.begin(), encoded.envelope.end());
-  const auto* body = reinterpret_cast<const std::byte*>(encoded.body.data());
-  frames.emplace_back(body, body + encoded.body.size());
-  for (const auto& array : encoded.arrays) frames.push_back(array);
+  for (const auto& frame : frames_of(encoded)) frames.emplace_back(frame.begin(), frame.end());
   return frames;
 }
 
@@ -47,7 +44,7 @@ DecodedMessage decode_all(const std::vector<std::vector<std::byte>>& frames) {
 }  // namespace
 
 TEST_CASE("a message comes out of the codec as it went in, bit for bit", "[common][exchange]") {
-  const DecodedMessage decoded = decode_all(frames_of(encode(sample(), sample_stamp())));
+  const DecodedMessage decoded = decode_all(copied_frames(encode(sample(), sample_stamp())));
   CHECK(decoded.stamp.sequence == 41);
   CHECK(decoded.stamp.epoch == 2);
   CHECK(decoded.stamp.run == sample_stamp().run);
@@ -78,7 +75,7 @@ TEST_CASE("the envelope has the layout of docs/protocol.md", "[common][exchange]
 }
 
 TEST_CASE("a flipped bit anywhere in a message is noticed", "[common][exchange]") {
-  const auto frames = frames_of(encode(sample(), sample_stamp()));
+  const auto frames = copied_frames(encode(sample(), sample_stamp()));
   for (std::size_t frame = 0; frame < frames.size(); ++frame)
     for (std::size_t byte = 0; byte < frames[frame].size(); ++byte) {
       auto damaged = frames;
@@ -89,7 +86,7 @@ TEST_CASE("a flipped bit anywhere in a message is noticed", "[common][exchange]"
 }
 
 TEST_CASE("missing, additional, cut and empty frames are noticed", "[common][exchange]") {
-  const auto frames = frames_of(encode(sample(), sample_stamp()));
+  const auto frames = copied_frames(encode(sample(), sample_stamp()));
   auto missing = frames;
   missing.pop_back();
   CHECK_THROWS_AS(decode_all(missing), ProtocolError);
@@ -156,7 +153,7 @@ TEST_CASE("arrays of a network without nodes survive the way", "[common][exchang
   Message message(MessageType::topology);
   message.add("aperture", "m", std::vector<double>{});
   message.add("closed", "1", std::vector<double>{});
-  auto frames = frames_of(encode(message, sample_stamp()));
+  auto frames = copied_frames(encode(message, sample_stamp()));
   for (auto& frame : frames) frame.reserve(1);  // a frame from a socket has an address even when it is empty
   const Message received = decode_all(frames).message;
   CHECK(received.numbers("aperture", 0).empty());
