@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -24,11 +25,6 @@ constexpr int maximum_sweeps = 100;
 /// Change of pressure at which sweeps end, as a share of the greatest pressure.
 constexpr double sweep_tolerance = 1e-12;
 constexpr int sub_steps_between_signs = 64;
-
-bool moves(const CouplingInterval& interval) {
-  return std::any_of(interval.aperture_rate.begin(), interval.aperture_rate.end(),
-                     [](double rate) { return rate != 0; });
-}
 
 }  // namespace
 
@@ -53,30 +49,35 @@ void ExplicitSolver::prepare() {
     arms_.insert(arms_.end(), of_cell.begin(), of_cell.end());
     arm_begin_.push_back(arms_.size());
   }
+  for (auto* per_cell : {&due_, &asked_, &inflow_, &slope_, &threshold_, &bound_})
+    per_cell->resize(arms.size());
+  for (auto* per_segment : {&aperture_, &conductance_, &flux_}) per_segment->resize(ends_.size());
+  for (auto* per_perforation : {&gain_, &there_}) per_perforation->resize(perforations_.size());
+  is_stiff_.resize(arms.size());
+  order_.resize(arms.size());
 }
 
 int ExplicitSolver::cover(double end) {
   const double begin = state_.time;
-  const bool moving = moves(*interval_), newtonian = case_.fluids.front().power_index == 1;
+  const bool moving = std::ranges::any_of(interval_->aperture_rate, [](double rate) { return rate != 0; });
+  const bool newtonian = case_.fluids.front().power_index == 1;
   begin_piece(end);
   const double longest = (end - begin) / least_sub_steps;
-  // Time has no room for more sub-steps: stages may begin a rounding error before intervals do.
-  const double shortest = least_sub_steps * (std::nextafter(end, infinite) - end);
   double bound = stable_step();
   long steps = 0;
   while (state_.time < end) {
     if (steps > 0 && !newtonian) set_conductance();
     if (steps > 0 && (moving || !newtonian)) bound = stable_step();
     const double left = end - state_.time;
-    const double count = left <= shortest ? 1 : std::max(1.0, std::ceil(left / std::min(bound, longest)));
-    const double dt = left / count, next = count <= 1 ? end : state_.time + dt;
+    const double count = std::max(1.0, std::ceil(left / std::min(bound, longest)));
+    double next = state_.time + left / count;
+    if (count <= 1 || next <= state_.time) next = end;
     if (moving) set_laws(next);
-    sub_step(dt, dt / (end - begin));
-    state_.time = next;
+    sub_step(next, (next - begin) / (end - begin));
     if (++steps % sub_steps_between_signs == 0) note_progress("sub-steps");
     if (steps > maximum_sub_steps)
       throw SolverError(fmt::format("the interval to {} s takes more than {} sub-steps, the last of {} s",
-                                    end, maximum_sub_steps, dt));
+                                    end, maximum_sub_steps, left / count));
   }
   sub_steps_ += steps;
   end_piece(begin, end);
@@ -91,14 +92,7 @@ void ExplicitSolver::begin_piece(double end) {
             .taken = std::vector<double>(cells, 0.0),
             .brought = std::vector<double>(perforations_.size(), 0.0),
             .last_rate = std::vector<double>(perforations_.size(), 0.0)};
-  due_.resize(cells);
   for (std::size_t i = 0; i < cells; ++i) due_[i] = leak_off_demand(i, end);
-  inflow_.resize(cells);
-  is_stiff_.assign(cells, 0);
-  flux_.assign(ends_.size(), 0.0);
-  fed_.assign(cells, 0.0);
-  gain_.resize(perforations_.size());
-  there_.resize(perforations_.size());
   for (std::size_t i = 0; i < cells; ++i) {
     const double opening = opening_pressure(laws_[i]);
     if (std::isfinite(opening) && (opening == 0 || state_.content[i] > cell_content(laws_[i], opening)))
@@ -124,7 +118,6 @@ void ExplicitSolver::end_piece(double begin, double end) {
 
 void ExplicitSolver::set_segment_apertures() {
   const bool per_arm = !interval_->arm_aperture_a.empty();
-  aperture_.resize(ends_.size());
   for (std::size_t s = 0; s < ends_.size(); ++s)
     aperture_[s] = network::segment_aperture(
         per_arm ? interval_->arm_aperture_a[s] : interval_->aperture[ends_[s].a],
@@ -134,7 +127,6 @@ void ExplicitSolver::set_segment_apertures() {
 void ExplicitSolver::set_conductance() {
   const FlowFluid& fluid = case_.fluids.front();
   const network::PowerLaw law{fluid.consistency_index, fluid.power_index};
-  conductance_.resize(ends_.size());
   conductance_sum_.assign(length_.size(), 0.0);
   for (std::size_t s = 0; s < ends_.size(); ++s) {
     const auto [a, b] = ends_[s];
@@ -149,8 +141,6 @@ void ExplicitSolver::set_conductance() {
 
 double ExplicitSolver::stable_step() {
   const std::size_t cells = length_.size();
-  slope_.resize(cells);
-  threshold_.resize(cells);
   bound_.assign(cells, infinite);
   const double thinning = std::min(1.0, case_.fluids.front().power_index);
   for (std::size_t i = 0; i < cells; ++i) {
@@ -174,82 +164,87 @@ double ExplicitSolver::stable_step() {
   return stable_share * least;
 }
 
-void ExplicitSolver::sub_step(double dt, double share) {
-  flow();
-  feed(well_demand(state_.time, state_.time + dt), dt);
-  find_stiff(dt, share);
-  if (!stiff_.empty()) balance_stiff(dt, share);
+void ExplicitSolver::sub_step(double end, double progress) {
+  const double dt = end - state_.time;
+  for (std::size_t i = 0; i < length_.size(); ++i) asked_[i] = progress * due_[i] - piece_.taken[i];
+  set_flux();
+  std::fill(piece_.last_rate.begin(), piece_.last_rate.end(), 0.0);
+  gather();
+  feed(well_demand(state_.time, end), dt);
+  gather();
+  find_stiff(dt);
+  if (!stiff_.empty()) balance_stiff(dt);
   limit_outflow(dt);
   for (std::size_t s = 0; s < ends_.size(); ++s) moved_[s] += dt * flux_[s];
   for (std::size_t k = 0; k < perforations_.size(); ++k) piece_.brought[k] += dt * piece_.last_rate[k];
   for (std::size_t i = 0; i < length_.size(); ++i) {
     const double total = std::max(0.0, state_.content[i] + dt * inflow_[i] / length_[i]);
-    const double taken = std::min(share * due_[i], total);
+    const double taken = std::min(asked_[i], total);
     piece_.taken[i] += taken;
     state_.content[i] = total - taken;
     if (!is_stiff_[i]) state_.pressure[i] = cell_pressure(laws_[i], state_.content[i]);
   }
+  state_.time = end;
 }
 
-/// Fluxes at the pressures as they stand, and what they bring, perforations included.
-void ExplicitSolver::flow() {
+void ExplicitSolver::set_flux() {
+  for (std::size_t s = 0; s < ends_.size(); ++s)
+    flux_[s] = conductance_[s] * (state_.pressure[ends_[s].a] - state_.pressure[ends_[s].b]);
+}
+
+void ExplicitSolver::gather() {
   std::fill(inflow_.begin(), inflow_.end(), 0.0);
   for (std::size_t s = 0; s < ends_.size(); ++s) {
-    const auto [a, b] = ends_[s];
-    flux_[s] = conductance_[s] * (state_.pressure[a] - state_.pressure[b]);
-    inflow_[a] -= flux_[s];
-    inflow_[b] += flux_[s];
+    inflow_[ends_[s].a] -= flux_[s];
+    inflow_[ends_[s].b] += flux_[s];
   }
+  for (std::size_t k = 0; k < perforations_.size(); ++k) inflow_[perforations_[k]] += piece_.last_rate[k];
 }
 
 void ExplicitSolver::feed(const cells::WellDemand& well, double dt) {
   const std::size_t count = perforations_.size();
+  if (count == 0) return;
   std::vector<double>& rate = piece_.last_rate;
-  if (count == 1 && well.control == WellControl::rate) {
-    rate[0] = well.target;
-  } else if (count > 0) {
-    // Implicit in the pressure of the node itself: q = WI (p_w - p'), l c (p' - p) = dt (inflow + q).
-    double gain_sum = 0, weighted = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t i = perforations_[k];
-      const double storage = length_[i] * slope_[i];
-      gain_[k] = storage > 0 ? case_.well_index / (1 + dt * case_.well_index / storage) : conductance_sum_[i];
-      there_[k] = state_.pressure[i] + (storage > 0 ? dt * inflow_[i] / storage : 0);
-      gain_sum += gain_[k];
-      weighted += gain_[k] * there_[k];
-    }
-    const bool given = well.control == WellControl::pressure;
-    const double pressure = given ? well.target : (well.target + weighted) / gain_sum;
-    for (std::size_t k = 0; k < count; ++k) rate[k] = gain_[k] * (pressure - there_[k]);
-    const double missing = given ? 0 : well.target - std::accumulate(rate.begin(), rate.end(), 0.0);
-    for (double& each : rate) each += missing / static_cast<double>(count);
+  double gain_sum = 0, weighted = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = perforations_[k];
+    const double storage = length_[i] * slope_[i], outlet = conductance_sum_[i];
+    const double resistance = storage > 0 ? dt / storage : outlet > 0 ? 1 / outlet : 0;
+    gain_[k] = case_.well_index / (1 + case_.well_index * resistance);
+    there_[k] = state_.pressure[i] + inflow_[i] * resistance;
+    gain_sum += gain_[k];
+    weighted += gain_[k] * there_[k];
   }
-  for (const std::size_t i : perforations_) fed_[i] = 0;
-  for (std::size_t k = 0; k < count; ++k) fed_[perforations_[k]] += rate[k];
-  for (std::size_t k = 0; k < count; ++k) inflow_[perforations_[k]] += rate[k];
+  const bool given = well.control == WellControl::pressure;
+  const double pressure = given ? well.target : (well.target + weighted) / gain_sum;
+  for (std::size_t k = 0; k < count; ++k) rate[k] = gain_[k] * (pressure - there_[k]);
+  const double missing = given ? 0 : well.target - std::accumulate(rate.begin(), rate.end(), 0.0);
+  for (double& each : rate) each += missing / static_cast<double>(count);
 }
 
-void ExplicitSolver::find_stiff(double dt, double share) {
+void ExplicitSolver::find_stiff(double dt) {
   stiff_.clear();
   for (std::size_t i = 0; i < length_.size(); ++i) {
     const double content = state_.content[i];
-    const double after = content + dt * inflow_[i] / length_[i] - share * due_[i];
+    const double after = content + dt * inflow_[i] / length_[i] - asked_[i];
     is_stiff_[i] = std::min(content, after) <= threshold_[i] && conductance_sum_[i] > 0;
     if (is_stiff_[i]) stiff_.push_back(i);
   }
 }
 
-void ExplicitSolver::balance_stiff(double dt, double share) {
+void ExplicitSolver::balance_stiff(double dt) {
   std::vector<double>& pressure = state_.pressure;
   for (int sweep = 0; sweep < maximum_sweeps; ++sweep) {
     double change = 0, greatest = 0;
     for (const std::size_t i : stiff_) {
-      double supply = fed_[i];
+      double supply = 0;
+      for (std::size_t k = 0; k < perforations_.size(); ++k)
+        if (perforations_[k] == i) supply += piece_.last_rate[k];
       for (std::size_t k = arm_begin_[i]; k < arm_begin_[i + 1]; ++k)
         supply += conductance_[arms_[k].segment] * pressure[arms_[k].cell];
       const double balanced =
           balanced_pressure(laws_[i], length_[i], state_.content[i], dt * conductance_sum_[i],
-                            dt * supply - length_[i] * share * due_[i]);
+                            dt * supply - length_[i] * asked_[i]);
       change = std::max(change, std::abs(balanced - pressure[i]));
       greatest = std::max(greatest, balanced);
       pressure[i] = balanced;
@@ -257,23 +252,18 @@ void ExplicitSolver::balance_stiff(double dt, double share) {
     if (change <= sweep_tolerance * greatest) break;
     std::reverse(stiff_.begin(), stiff_.end());
   }
-  flow();
-  for (std::size_t i = 0; i < length_.size(); ++i) inflow_[i] += fed_[i];
+  set_flux();
+  gather();
 }
 
 void ExplicitSolver::limit_outflow(double dt) {
   const auto short_of_fluid = [&](std::size_t i) {
     return state_.content[i] + dt * inflow_[i] / length_[i] < 0;
   };
-  bool short_somewhere = false;
-  for (std::size_t i = 0; i < length_.size(); ++i) short_somewhere = short_somewhere || short_of_fluid(i);
-  if (!short_somewhere) return;
-
-  std::vector<std::size_t> order(length_.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t i, std::size_t j) { return state_.pressure[i] > state_.pressure[j]; });
-  for (const std::size_t i : order) {
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  if (std::ranges::none_of(order_, short_of_fluid)) return;
+  std::ranges::stable_sort(order_, std::greater{}, [&](std::size_t i) { return state_.pressure[i]; });
+  for (const std::size_t i : order_) {
     double in = 0, out = 0;
     const auto count = [&](double rate) { (rate > 0 ? in : out) += std::abs(rate); };
     for (std::size_t k = arm_begin_[i]; k < arm_begin_[i + 1]; ++k)
@@ -290,12 +280,7 @@ void ExplicitSolver::limit_outflow(double dt) {
     for (std::size_t k = 0; k < perforations_.size(); ++k)
       if (perforations_[k] == i && piece_.last_rate[k] < 0) piece_.last_rate[k] *= factor;
   }
-  std::fill(inflow_.begin(), inflow_.end(), 0.0);
-  for (std::size_t s = 0; s < ends_.size(); ++s) {
-    inflow_[ends_[s].a] -= flux_[s];
-    inflow_[ends_[s].b] += flux_[s];
-  }
-  for (std::size_t k = 0; k < perforations_.size(); ++k) inflow_[perforations_[k]] += piece_.last_rate[k];
+  gather();
 }
 
 }  // namespace fissura::explicit_flow

@@ -52,11 +52,17 @@ class ExplicitSolver : public cells::CellSolver {
   void set_conductance();
   /// The bound above with the conductances as they stand [s]; sets below which content a cell is stiff.
   double stable_step();
-  void sub_step(double dt, double share);
-  void flow();
+  /// From state_.time to `end`; `progress` is the share of the piece that lies before `end`.
+  void sub_step(double end, double progress);
+  /// Fluxes at the pressures as they stand.
+  void set_flux();
+  /// What fluxes and perforations bring to every cell.
+  void gather();
+  /// Rates of the perforations, implicit in the pressure of their own cell: q = WI (p_w - p'),
+  /// l c (p' - p) = dt (inflow + q).
   void feed(const cells::WellDemand& well, double dt);
-  void find_stiff(double dt, double share);
-  void balance_stiff(double dt, double share);
+  void find_stiff(double dt);
+  void balance_stiff(double dt);
   void limit_outflow(double dt);
 
   std::vector<std::size_t> arm_begin_;
@@ -64,12 +70,12 @@ class ExplicitSolver : public cells::CellSolver {
 
   // Memory of one piece; no state.
   cells::PieceOfFlow piece_;
-  std::vector<double> content_at_begin_, due_, moved_;
+  std::vector<double> content_at_begin_, moved_;
+  std::vector<double> due_, asked_;  ///< leak-off of the piece, and by the end of the sub-step [m]
   std::vector<double> aperture_, conductance_, flux_, inflow_, conductance_sum_, slope_, threshold_, bound_;
-  std::vector<double> fed_;           ///< by the well, of every cell [m2/s]
   std::vector<double> gain_, there_;  ///< of every perforation
   std::vector<unsigned char> is_stiff_;
-  std::vector<std::size_t> stiff_;
+  std::vector<std::size_t> stiff_, order_;
   long sub_steps_ = 0;
 };
 
