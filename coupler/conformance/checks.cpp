@@ -3,6 +3,8 @@
 
 #include <iterator>
 
+#include "coupler/conformance/physics_checks.hpp"
+
 namespace fissura::coupler::conformance {
 
 std::vector<Check> all_checks() {
@@ -15,6 +17,7 @@ std::vector<Check> all_checks() {
            report_checks,
            state_checks,
            neutral_checks,
+           physics_checks,
            damage_checks,
            deadline_checks,
        }) {
