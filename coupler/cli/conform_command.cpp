@@ -56,7 +56,10 @@ int conform_command(const ConformOptions& options) {
   const Candidate candidate{.command = command, .patience = Seconds(options.patience)};
   ConformanceResult result;
   try {
-    result = run_conformance(candidate, checks, [](const Outcome& outcome) { print(lines_of(outcome)); });
+    result = run_conformance(candidate, checks, [&options](const Outcome& outcome) {
+      print(lines_of(outcome));
+      return options.first_failure && outcome.verdict == Verdict::failed ? Next::stop : Next::go_on;
+    });
   } catch (const Deviation& deviation) {
     throw Error(ExitCode::verdict_failed, fmt::format("\"{}\": {}", command, deviation.what()));
   }

@@ -13,6 +13,7 @@ struct ConformOptions {
   std::string only = "*";            ///< pattern of names
   std::optional<std::filesystem::path> json;
   bool list = false;
+  bool first_failure = false;  ///< ends there
   double patience = 10;  ///< wall seconds for any answer
 };
 

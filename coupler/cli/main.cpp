@@ -63,6 +63,7 @@ void add_conform_options(CLI::App& command, fissura::coupler::ConformOptions& op
   command.add_option("--only", options.only, "checks of this name or subject, or that fit a pattern with *");
   command.add_option("--json", options.json, "writes the outcomes into this file")->type_name("FILE");
   command.add_flag("--list", options.list, "prints the checks, carries out none");
+  command.add_flag("--first-failure", options.first_failure, "ends at the first check that fails");
   command.add_option("--patience", options.patience, "wall seconds for any answer")
       ->capture_default_str()
       ->check(CLI::Range(0.1, 1e6));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "coupler/conformance/expectation.hpp"
+#include "coupler/conformance/flow_cases.hpp"
 #include "coupler/conformance/topologies.hpp"
 
 namespace fissura::coupler::conformance {
@@ -16,7 +17,7 @@ void require_closed(const FluidLedger& ledger) {
 }
 
 double volume_told(const Driver& driver, const FlowAnswer& answer) {
-  return case_thickness * integral(driver.network(), content_of(answer, case_bulk_modulus));
+  return water::thickness * integral(driver.network(), content_of(answer, water::bulk_modulus));
 }
 
 void require_balance(const Driver& driver, const FlowAnswer& answer) {

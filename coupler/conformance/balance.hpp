@@ -7,9 +7,6 @@
 /// flow_cases.
 namespace fissura::coupler::conformance {
 
-inline constexpr double case_thickness = 2;       ///< H [m]
-inline constexpr double case_bulk_modulus = 2e9;  ///< K_f [Pa]
-
 /// The ledger closes to the share of its largest entry that a run demands (flow_solvers.md 4).
 inline constexpr double ledger_tolerance = 1e-10;
 /// Sums of the same numbers in another order.

@@ -87,14 +87,14 @@ std::vector<Check> selected(std::vector<Check> checks, const std::string& patter
 }
 
 ConformanceResult run_conformance(const Candidate& candidate, const std::vector<Check>& checks,
-                                  const std::function<void(const Outcome&)>& each) {
+                                  const std::function<Next(const Outcome&)>& each) {
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);  // so that orphans of a candidate become children of this process
   ConformanceResult result;
   result.greeting = Driver(candidate).greeting();
   end_descendants({});
   for (const Check& check : checks) {
     result.outcomes.push_back(outcome_of(check, candidate, result.greeting));
-    each(result.outcomes.back());
+    if (each(result.outcomes.back()) == Next::stop) break;
   }
   return result;
 }

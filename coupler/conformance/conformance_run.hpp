@@ -37,10 +37,13 @@ struct ConformanceResult {
 /// Checks whose name fits `pattern`: one with * and ? as in the shell, or a name or subject ("insertion").
 std::vector<Check> selected(std::vector<Check> checks, const std::string& pattern);
 
+/// What comes after an outcome.
+enum class Next { go_on, stop };
+
 /// Hears HELLO of the candidate once, then carries out each check that applies, one after the other; whatever
-/// processes a check leaves behind are ended. Tells `each` of every outcome at once. Throws Deviation if the
-/// candidate does not greet.
+/// processes a check leaves behind are ended. Tells `each` of every outcome at once, until it says stop.
+/// Throws Deviation if the candidate does not greet.
 ConformanceResult run_conformance(const Candidate& candidate, const std::vector<Check>& checks,
-                                  const std::function<void(const Outcome&)>& each);
+                                  const std::function<Next(const Outcome&)>& each);
 
 }  // namespace fissura::coupler::conformance

@@ -18,8 +18,8 @@ namespace fissura::coupler::conformance {
 namespace {
 
 constexpr const char* contract = "flow_solvers.md 3.2";
-constexpr double rate = 1e-4, viscosity = 1e-3;  // of flow_cases but for the rate
-constexpr double flux = rate / case_thickness;   // per unit thickness [m2/s]
+constexpr double rate = 1e-4;
+constexpr double flux = rate / water::thickness;  // per unit thickness [m2/s]
 constexpr StillRock rigid{.aperture = 1e-4};
 
 /// Drop of pressure along `length` by the cubic law [Pa].
@@ -59,12 +59,12 @@ std::string steady(const Candidate& candidate, double mu) {
   return first_of(slit, drops);
 }
 
-std::string water(const Candidate& candidate) {
-  return steady(candidate, viscosity);
+std::string plain_slit(const Candidate& candidate) {
+  return steady(candidate, water::viscosity);
 }
 
 std::string thinner(const Candidate& candidate) {
-  return steady(candidate, viscosity / 3);
+  return steady(candidate, water::viscosity / 3);
 }
 
 std::string wedge(const Candidate& candidate) {
@@ -74,8 +74,8 @@ std::string wedge(const Candidate& candidate) {
   slit.settle();
   std::vector<double> drops;
   for (std::size_t i = 0; i + 1 < OpenSlit::nodes; ++i)
-    drops.push_back(
-        drop(flux, (slit.asked.aperture[i] + slit.asked.aperture[i + 1]) / 2, viscosity, OpenSlit::spacing));
+    drops.push_back(drop(flux, (slit.asked.aperture[i] + slit.asked.aperture[i + 1]) / 2, water::viscosity,
+                         OpenSlit::spacing));
   require_pressures(slit, drops);
   return first_of(slit, drops);
 }
@@ -89,8 +89,8 @@ std::string arms(const Candidate& candidate) {
   for (std::size_t s = 0; s < segments.size(); ++s) {
     slit.asked.arm_aperture_a.push_back((1.1 + 0.05 * static_cast<double>(s)) * rigid.aperture);
     slit.asked.arm_aperture_b.push_back((0.8 + 0.02 * static_cast<double>(s)) * rigid.aperture);
-    drops.push_back(drop(flux, (slit.asked.arm_aperture_a[s] + slit.asked.arm_aperture_b[s]) / 2, viscosity,
-                         segments[s].length));
+    drops.push_back(drop(flux, (slit.asked.arm_aperture_a[s] + slit.asked.arm_aperture_b[s]) / 2,
+                         water::viscosity, segments[s].length));
   }
   slit.settle();
   require_pressures(slit, drops);
@@ -105,13 +105,13 @@ std::string floor(const Candidate& candidate) {
   const std::size_t segments = slit.driver.network().segments().size();
   slit.asked.arm_aperture_a.assign(segments, rigid.aperture);
   slit.asked.arm_aperture_b.assign(segments, rigid.aperture);
-  std::vector<double> drops = equal_drops(drop(flux, rigid.aperture, viscosity, OpenSlit::spacing));
+  std::vector<double> drops = equal_drops(drop(flux, rigid.aperture, water::viscosity, OpenSlit::spacing));
   slit.asked.arm_aperture_a[1] = narrow;
-  drops[1] = drop(flux, (floor_aperture + rigid.aperture) / 2, viscosity, OpenSlit::spacing);
+  drops[1] = drop(flux, (floor_aperture + rigid.aperture) / 2, water::viscosity, OpenSlit::spacing);
   slit.asked.arm_aperture_b[2] = 0;
   drops[2] = drops[1];
   slit.asked.arm_aperture_a[3] = slit.asked.arm_aperture_b[3] = narrow;
-  drops[3] = drop(flux, floor_aperture, viscosity, OpenSlit::spacing);
+  drops[3] = drop(flux, floor_aperture, water::viscosity, OpenSlit::spacing);
   slit.settle();
   require_pressures(slit, drops);
   return first_of(slit, drops);
@@ -126,7 +126,7 @@ std::string length_of_segment(const Candidate& candidate) {
   scene.advance(1e-6);
   scene.insert(basin(scene.driver.network(), OpenSlit::nodes - 2, OpenSlit::spacing, scene.time));
   scene.advance_many(20, 0.05);
-  const double plain = drop(flux, rigid.aperture, viscosity, OpenSlit::spacing);
+  const double plain = drop(flux, rigid.aperture, water::viscosity, OpenSlit::spacing);
   for (std::size_t s = 0; s + 2 < OpenSlit::nodes; ++s)
     require_ratio(fmt::format("drop of pressure along segment {} [Pa]", s),
                   scene.last.pressure[s] - scene.last.pressure[s + 1], s == 2 ? longer * plain : plain,
@@ -159,7 +159,7 @@ std::string kirchhoff(const Candidate& candidate) {
                       b = scene.driver.network().index_of(segment.node_b);
     const double through =
         (pressure[a] - pressure[b]) /
-        drop(1, (scene.asked.aperture[a] + scene.asked.aperture[b]) / 2, viscosity, segment.length);
+        drop(1, (scene.asked.aperture[a] + scene.asked.aperture[b]) / 2, water::viscosity, segment.length);
     balance[a] -= through;
     balance[b] += through;
   }
@@ -173,10 +173,10 @@ std::string kirchhoff(const Candidate& candidate) {
                     solution_tolerance * flux);
   }
   require_ratio("what comes to the three basins [m2/s]", arriving, flux, solution_tolerance);
-  const double west = 1 / drop(1, rigid.aperture, viscosity, (middle + 3) * spacing);
-  const double east = 1 / drop(1, rigid.aperture, viscosity, (middle + 1) * spacing);
-  const double first_segment = drop(1, 0.9 * rigid.aperture, viscosity, spacing);
-  const double others = drop(1, 0.8 * rigid.aperture, viscosity, spacing) + first_segment;
+  const double west = 1 / drop(1, rigid.aperture, water::viscosity, (middle + 3) * spacing);
+  const double east = 1 / drop(1, rigid.aperture, water::viscosity, (middle + 1) * spacing);
+  const double first_segment = drop(1, 0.9 * rigid.aperture, water::viscosity, spacing);
+  const double others = drop(1, 0.8 * rigid.aperture, water::viscosity, spacing) + first_segment;
   conductance = west + east + 1 / (first_segment + others);
   require_ratio("pressure of the junction [Pa]", pressure[middle], flux / conductance, solution_tolerance);
   return fmt::format("{:.7g} Pa at the junction, {:.7g} Pa by hand", pressure[middle], flux / conductance);
@@ -194,7 +194,7 @@ std::string power_law(const Candidate& candidate) {
     run_case.fluids = {{.name = "water",
                         .consistency_index = consistency,
                         .power_index = index,
-                        .bulk_modulus = case_bulk_modulus}};
+                        .bulk_modulus = water::bulk_modulus}};
     OpenSlit slit(candidate, run_case, rigid);
     slit.settle();
     slit.settle();
@@ -223,7 +223,7 @@ std::vector<Check> cubic_law_checks() {
        .expected = "steady flow falls by 12 mu q L / e^3 along each segment",
        .physics = flow,
        .capabilities = growth,
-       .carry_out = water},
+       .carry_out = plain_slit},
       {.name = "cubic_law.viscosity",
        .contract = contract,
        .expected = "a third of the viscosity, a third of the pressure",

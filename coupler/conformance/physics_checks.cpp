@@ -9,8 +9,11 @@ std::vector<Check> physics_checks() {
   std::vector<Check> all;
   for (const auto& subject : {
            storage_checks,
+           filling_checks,
            cubic_law_checks,
+           diffusion_checks,
            schedule_checks,
+           well_checks,
        }) {
     std::vector<Check> checks = subject();
     std::move(checks.begin(), checks.end(), std::back_inserter(all));

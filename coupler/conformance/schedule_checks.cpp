@@ -140,8 +140,8 @@ std::string shut_in(const Candidate& candidate) {
   require_injected(scene.last, before.injected);
   require_ratio("ledger.in_fractures [m3]", scene.last.ledger.in_fractures, before.in_fractures, rounding);
   require_balance(scene.driver, scene.last);
-  const double content = soft.aperture + rate * end / (case_thickness * scene.length());
-  const double expected = soft.pressure_of(content, case_bulk_modulus);
+  const double content = soft.aperture + rate * end / (water::thickness * scene.length());
+  const double expected = soft.pressure_of(content, water::bulk_modulus);
   for (const double pressure : scene.last.pressure)
     require_ratio("pressure that all nodes come to [Pa]", pressure, expected, solution_tolerance);
   require_ratio("well pressure at rest [Pa]", scene.last.well_pressure, expected, solution_tolerance);
@@ -153,7 +153,7 @@ std::string shut_in(const Candidate& candidate) {
 std::string thickness(const Candidate& candidate) {
   constexpr double factor = 2;
   Case thick_case = water_case(factor * rate);
-  thick_case.domain.thickness = factor * case_thickness;
+  thick_case.domain.thickness = factor * water::thickness;
   StillScene thin = scene_of(candidate, water_case(rate)), thick = scene_of(candidate, thick_case);
   for (int k = 0; k < 4; ++k) {
     thin.advance(0.1);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupler/conformance/flow_cases.hpp"
 #include "coupler/conformance/topologies.hpp"
 
 namespace fissura::coupler::conformance {

@@ -41,9 +41,9 @@ class RestedSlit : public StillScene {
   /// A hundred times the slowest time constant of the slit in each of six intervals: what is left of the
   /// differences is below 1e-9, by whatever steps.
   void come_to_rest() {
-    const double stored = rock.compliance + rock.aperture / case_bulk_modulus;
+    const double stored = rock.compliance + rock.aperture / water::bulk_modulus;
     const double slit = (nodes - 1) * spacing;
-    const double diffusivity = std::pow(rock.aperture, 3) / (12 * 1e-3 * stored);
+    const double diffusivity = std::pow(rock.aperture, 3) / (12 * water::viscosity * stored);
     const double slowest = std::pow(slit / std::acos(-1.0), 2) / diffusivity;
     advance_many(6, 100 * slowest);
   }
@@ -51,11 +51,11 @@ class RestedSlit : public StillScene {
 
 /// m of each node of a slit at rest, from the volumes of the check alone [m].
 double content_at_rest(const StillScene& scene, double rate) {
-  return scene.rock.aperture + rate * pumping_time / (case_thickness * scene.length());
+  return scene.rock.aperture + rate * pumping_time / (water::thickness * scene.length());
 }
 
 std::string require_pressure(const StillScene& scene, double content) {
-  const double expected = scene.rock.pressure_of(content, case_bulk_modulus);
+  const double expected = scene.rock.pressure_of(content, water::bulk_modulus);
   require(expected > 0, "a positive pressure by (3c)", fmt::format("{:g} Pa", expected));
   for (std::size_t i = 0; i < scene.last.pressure.size(); ++i)
     require_ratio(fmt::format("pressure of node {} [Pa]", i), scene.last.pressure[i], expected,
@@ -185,15 +185,16 @@ std::string start(const Candidate& candidate) {
     area += scene.driver.network().nodes()[i].lumped_length * scene.asked.aperture[i];
   }
   scene.advance(pumping_time);
-  require_ratio("ledger.in_place [m3]", scene.last.ledger.in_place, case_thickness * area, rounding);
-  require_ratio("ledger.in_fractures [m3]", scene.last.ledger.in_fractures, case_thickness * area, rounding);
+  require_ratio("ledger.in_place [m3]", scene.last.ledger.in_place, water::thickness * area, rounding);
+  require_ratio("ledger.in_fractures [m3]", scene.last.ledger.in_fractures, water::thickness * area,
+                rounding);
   require_close("ledger.injected [m3]", scene.last.ledger.injected, 0, 0);
   const double in_place = scene.last.ledger.in_place;
   std::fill(scene.asked.aperture.begin(), scene.asked.aperture.end(), 3e-4);
   scene.advance(pumping_time);
   require_ratio("ledger.in_place an interval later, wider apart [m3]", scene.last.ledger.in_place, in_place,
                 0);
-  return fmt::format("in place {:.6g} m3, {:.6g} m3 by hand", in_place, case_thickness * area);
+  return fmt::format("in place {:.6g} m3, {:.6g} m3 by hand", in_place, water::thickness * area);
 }
 
 }  // namespace
