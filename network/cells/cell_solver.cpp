@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 
 #include "common/errors.hpp"
-#include "network/laws/carter_leak_off.hpp"
 
 namespace fissura::cells {
 
@@ -54,15 +55,18 @@ void CellSolver::take_network(const FractureNetwork& network) {
   prepare();
 }
 
-void CellSolver::insert(const Insertion&, const FractureNetwork& network) {
+void CellSolver::insert(const Insertion& insertion, const FractureNetwork& network) {
   const std::vector<double> old_length = length_;
   const std::size_t old_count = old_length.size();
   take_network(network);
 
   for (auto* values : {&state_.content, &state_.pressure, &state_.filled, &state_.leaked, &state_.aperture})
     values->resize(length_.size(), 0.0);
+  std::vector<std::size_t> entered;
   for (std::size_t i = old_count; i < length_.size(); ++i) {
-    state_.exposure_time.push_back(network.nodes()[i].exposure_time);
+    const double exposed = network.nodes()[i].exposure_time;
+    state_.sweep.push_back({.begin = exposed, .end = exposed});
+    if (insertion.revision > 0) entered.push_back(i);
     state_.contact_pressure.push_back(network.nodes()[i].formation_pressure);
     state_.joining.push_back(network.nodes()[i].saturated ? 1 : 0);
   }
@@ -76,7 +80,24 @@ void CellSolver::insert(const Insertion&, const FractureNetwork& network) {
     spread(i, old_length[i], length_, receivers, state_.content);
     spread(i, old_length[i], length_, receivers, state_.leaked);
   }
+  sweep(std::move(entered), network, state_.time);
   take_segments(network);
+}
+
+void CellSolver::sweep(std::vector<std::size_t> cells, const FractureNetwork& network, double latest) {
+  std::vector<Sweep>& sweeps = state_.sweep;
+  std::ranges::stable_sort(cells, std::less{}, [&](std::size_t i) { return sweeps[i].begin; });
+  for (const std::size_t cell : cells) {
+    std::vector<std::size_t> neighbours;
+    for (const auto [a, b] : ends_) {
+      if (a == cell) neighbours.push_back(b);
+      if (b == cell) neighbours.push_back(a);
+    }
+    enter(cell, neighbours, sweeps);
+  }
+  for (std::size_t i = 0; i < sweeps.size(); ++i)
+    if (std::isinf(sweeps[i].end) && network.nodes()[i].role != NodeRole::tip)
+      sweeps[i].end = std::max(sweeps[i].begin, latest);
 }
 
 /// Fluxes stay with their segments.
@@ -160,8 +181,7 @@ WellDemand CellSolver::well_demand(double begin, double end) const {
 double CellSolver::leak_off_demand(std::size_t cell, double time) const {
   const network::CarterLaw law{case_.leak_off_coefficient, case_.spurt_volume};
   if (!law.active()) return 0;
-  const double exposed = state_.exposure_time[cell];
-  return std::max(0.0, network::cell_leak_off(law, exposed, exposed, time) - state_.leaked[cell]);
+  return std::max(0.0, leak_off_of(law, state_.sweep[cell], time) - state_.leaked[cell]);
 }
 
 void CellSolver::keep_piece(const PieceOfFlow& piece) {
@@ -239,7 +259,7 @@ NeutralFlowState CellSolver::neutral_state() const {
                            .content = state_.content,
                            .pressure = state_.pressure,
                            .leaked = state_.leaked,
-                           .exposure_time = state_.exposure_time,
+                           .exposure_time = {},
                            .contact_pressure = state_.contact_pressure,
                            .fluid_fraction = std::vector<double>(length_.size() * case_.fluids.size(), 0.0),
                            .joining = state_.joining,
@@ -248,6 +268,7 @@ NeutralFlowState CellSolver::neutral_state() const {
                            .entry_rate = case_.thickness * state_.stage_entry.rate,
                            .entry_pressure = state_.stage_entry.pressure,
                            .ledger = ledger()};
+  for (const Sweep& sweep : state_.sweep) neutral.exposure_time.push_back(sweep.begin);
   for (std::size_t i = 0; i < neutral.fluid_fraction.size(); i += case_.fluids.size())
     neutral.fluid_fraction[i] = 1;
   return neutral;
@@ -272,7 +293,12 @@ void CellSolver::take_up(const NeutralFlowState& neutral, const FractureNetwork&
   state_.filled.resize(count);
   for (std::size_t i = 0; i < count; ++i) state_.filled[i] = neutral.pressure[i] > 0 ? 1 : 0;
   state_.leaked = neutral.leaked;
-  state_.exposure_time = neutral.exposure_time;
+  for (const double exposed : neutral.exposure_time)
+    state_.sweep.push_back({.begin = exposed, .end = exposed});
+  std::vector<std::size_t> entered;
+  for (std::size_t i = 0; i < count; ++i)
+    if (neutral.exposure_time[i] > std::ranges::min(neutral.exposure_time)) entered.push_back(i);
+  sweep(std::move(entered), network, neutral.time);
   state_.contact_pressure = neutral.contact_pressure;
   state_.joining = neutral.joining;
   state_.aperture.resize(count, 0.0);

@@ -72,6 +72,9 @@ class CellSolver : public FlowSolver {
  private:
   void take_network(const FractureNetwork& network);
   void take_segments(const FractureNetwork& network);
+  /// Tips have entered `cells` at their exposure times, coming from their neighbours; sweeps of cells that
+  /// are no tips have ended at `latest` [s].
+  void sweep(std::vector<std::size_t> cells, const FractureNetwork& network, double latest);
   void start();
   void reset_content();
   void enter_stage();

@@ -8,9 +8,9 @@
 namespace fissura::cells {
 
 auto parts(EitherOf<CellState> auto& s) {
-  return std::tie(s.time, s.started, s.content, s.pressure, s.filled, s.leaked, s.exposure_time,
-                  s.contact_pressure, s.joining, s.aperture, s.segment, s.flux, s.well_pressure, s.rate,
-                  s.stage, s.stage_entry, s.in_place, s.found, s.injected, s.leaked_in_all, s.reset);
+  return std::tie(s.time, s.started, s.content, s.pressure, s.filled, s.leaked, s.sweep, s.contact_pressure,
+                  s.joining, s.aperture, s.segment, s.flux, s.well_pressure, s.rate, s.stage, s.stage_entry,
+                  s.in_place, s.found, s.injected, s.leaked_in_all, s.reset);
 }
 
 void LongSum::add(double term) {
@@ -32,10 +32,11 @@ CellState state_from(std::span<const std::byte> bytes, std::size_t nodes, std::s
   reader.get(state);
   reader.end();
   for (const auto* values : {&state.content, &state.pressure, &state.filled, &state.leaked,
-                             &state.exposure_time, &state.contact_pressure, &state.aperture})
+                             &state.contact_pressure, &state.aperture})
     ByteReader::require(values->size() == nodes);
-  ByteReader::require(state.segment.size() == segments && state.flux.size() == segments &&
-                      state.joining.size() == nodes && (!state.stage || *state.stage < stages));
+  ByteReader::require(state.sweep.size() == nodes && state.segment.size() == segments &&
+                      state.flux.size() == segments && state.joining.size() == nodes &&
+                      (!state.stage || *state.stage < stages));
   return state;
 }
 

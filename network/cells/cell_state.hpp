@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/flow_solver/pumping_schedule.hpp"
+#include "network/cells/sweep.hpp"
 
 namespace fissura::cells {
 
@@ -23,11 +24,11 @@ struct LongSum {
 struct CellState {
   double time = 0;  ///< [s]
   bool started = false;
-  std::vector<double> content;           ///< m [m]
-  std::vector<double> pressure;          ///< [Pa]
-  std::vector<double> filled;            ///< [-]
-  std::vector<double> leaked;            ///< [m]
-  std::vector<double> exposure_time;     ///< [s]
+  std::vector<double> content;   ///< m [m]
+  std::vector<double> pressure;  ///< [Pa]
+  std::vector<double> filled;    ///< [-]
+  std::vector<double> leaked;    ///< [m]
+  std::vector<Sweep> sweep;
   std::vector<double> contact_pressure;  ///< handed on, not used [Pa]
   std::vector<double> aperture;          ///< measured, of the last interval [m]
   std::vector<std::uint64_t> segment;    ///< ids, in the order of `flux`
