@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Strangers, thieves and liars at the coupler's door: nothing of theirs is heard, and the run gives the same bytes as without them."""
+import json
 import os
 import pathlib
 import shutil
@@ -25,6 +26,18 @@ def wait_for_history(run, seconds=20):
         if time.monotonic() > end or run.process.poll() is not None:
             raise AssertionError("the trio did not start")
         time.sleep(0.01)
+
+
+def wait_for_structure(run, seconds=60):
+    """Until the structure has been made welcome: a flood before that may keep it out, as any stranger."""
+    end = time.monotonic() + seconds
+    while True:
+        told = subprocess.run([COUPLER, "status", run.directory, "--json"], capture_output=True, text=True)
+        if told.returncode == 0 and json.loads(told.stdout)["participants"]["structure"]["asked"] == "WELCOME":
+            return
+        if time.monotonic() > end or run.process.poll() is not None:
+            raise AssertionError("the structure did not join")
+        time.sleep(0.05)
 
 
 def process_at(port, role):
@@ -238,6 +251,7 @@ class Hostile(unittest.TestCase):
         # Opening them takes a busy machine longer than the run would wait for its network.
         patience = ("--set", 'deadlines.join="120 s"')
         with Run(*at(f"tcp://127.0.0.1:{port}"), *patience, "--await", "network") as run:
+            wait_for_structure(run)
             peers = [connection(port)]
             worker = next(pid for pid in run.pids() if pathlib.Path(f"/proc/{pid}/exe").resolve() == COUPLER.resolve())
 
