@@ -20,16 +20,11 @@ inline constexpr long maximum_sub_steps = 200'000'000;  ///< of one interval
 
 /// Explicit finite volumes. In each sub-step dt, from the pressures at its begin,
 ///   l_i m_i' = l_i m_i + dt [ sum_j T_ij (p_j - p_i) + q_i ] - l_i taken_i,      p_i' from m_i'
-/// Bound. Linearised with c = dm/dp, p_i' = (1 - dt sum_j T_ij / (l_i c_i)) p_i + dt sum_j T_ij / (l_i c_i)
-/// p_j: a mean of the old pressures, so that no new extremes and no growing waves arise, as long as
-///   dt <= min_i l_i c_i / sum_j T_ij,      c_i = C_R (1 + p_o / K_f) + e(p_o) / K_f, the least slope above
-///   p_o
-/// On an even chain that is h^2 / (2 D) with the diffusivity D = e^3 / (12 mu c): the well-known limit
-/// (Courant, Friedrichs and Lewy 1928). A shear-thinning fluid answers a steeper gradient 1/n times as much:
-/// n of that. The well is taken implicitly in its own node, q = WI (p_w - p'), and does not bind.
-/// Cells below their opening pressure p_o, with next to no storage, would bind by orders of magnitude more:
-/// their pressure is the one at which storage and fluxes balance, found by sweeps over these cells
-/// (Gauss-Seidel), the others standing still.
+/// with dt <= stable_share min_i l_i c_i / sum_j T_ij, c = dm/dp: README.md derives it. The well is taken
+/// implicitly in its own node, q = WI (p_w - p'), and does not bind.
+/// Cells below their opening pressure, with next to no storage, would bind by orders of magnitude more: their
+/// pressure is the one at which storage and fluxes balance, found by sweeps over these cells (Gauss-Seidel),
+/// the others standing still.
 /// Content never falls below zero: where a cell would give more than it has and gets, all that leaves it is
 /// cut by one factor, in the order of falling pressure.
 class ExplicitSolver : public cells::CellSolver {
