@@ -84,20 +84,21 @@ std::string right_volume(const Candidate& candidate) {
 std::string stays_dry(const Candidate& candidate) {
   StillScene scene(candidate, water_case(0), straight_slit(full, spacing, 1),
                    {.aperture = 0, .compliance = 1e-10});
+  const double room = 1e-4 * scene.length() * water::thickness;
   scene.advance(0.01);
   std::fill(scene.asked.aperture.begin(), scene.asked.aperture.end(), 1e-4);
   for (int k = 0; k < 4; ++k) {
     scene.advance(0.1);
     for (std::size_t i = 0; i < full; ++i) {
       require_close(fmt::format("pressure of node {} [Pa]", i), scene.last.pressure[i], 0, 0);
-      require_close(fmt::format("filled of node {}", i), scene.last.filled[i], 0, 0);
+      require_close(fmt::format("filled of node {}", i), scene.last.filled[i], 0, rounding);
       require_ratio(fmt::format("aperture_predicted of node {} [m]", i), scene.last.aperture_predicted[i],
                     1e-4, rounding);
     }
   }
   for (const double entry : {scene.last.ledger.injected, scene.last.ledger.in_place,
                              scene.last.ledger.in_fractures, scene.last.ledger.leaked})
-    require_close("every entry of the ledger [m3]", entry, 0, 0);
+    require_close("every entry of the ledger [m3]", entry, 0, rounding * room);
   return "pressure, filled and ledger are 0";
 }
 
