@@ -20,6 +20,7 @@ class NetworkSolver : public FlowSolver {
   explicit NetworkSolver(std::function<void()> each_iteration = {});
 
   [[nodiscard]] std::set<std::string> physics() const override;
+  [[nodiscard]] StateKept state_kept() const override { return StateKept::own_and_neutral; }
   void join(const FlowCase& flow_case) override;
   void insert(const Insertion& insertion, const FractureNetwork& network) override;
   /// Throws SolverError if the flow cannot be solved.

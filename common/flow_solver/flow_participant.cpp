@@ -27,7 +27,11 @@ FlowParticipant::FlowParticipant(FlowSolver& solver, const std::string& name, co
     : solver_(solver), owner_{"network", name + " " + version, state_format, {}} {}
 
 void FlowParticipant::introduce(nlohmann::json& hello) const {
-  hello["capabilities"].push_back("neutral_state");
+  nlohmann::json& capabilities = hello["capabilities"];
+  if (solver_.state_kept() == StateKept::none)
+    for (const char* word : {"save", "restore"})
+      capabilities.erase(std::find(capabilities.begin(), capabilities.end(), word));
+  if (solver_.state_kept() == StateKept::own_and_neutral) capabilities.push_back("neutral_state");
   hello["physics"] = solver_.physics();
 }
 
@@ -120,25 +124,24 @@ std::optional<std::string> FlowParticipant::restore(const std::vector<std::byte>
   reader.get(time);
   reader.get(state);
   reader.end();
-  FractureNetwork network = network_after(insertions);
-  solver_.restore(state, network);
+  network_ = network_after(insertions);
+  solver_.restore(state, network_);
   insertions_ = std::move(insertions);
-  network_ = std::move(network);
   time_ = time;
   return network_.topology_hash();
 }
 
 void FlowParticipant::describe_neutral_state(Message& state) {
-  add_neutral_state(solver_.neutral_state(), fluids_, state);
+  if (solver_.state_kept() == StateKept::own_and_neutral)
+    add_neutral_state(solver_.neutral_state(), fluids_, state);
 }
 
 std::optional<std::string> FlowParticipant::take_up(const Message& command,
                                                     const std::vector<Insertion>& insertions) {
-  FractureNetwork network = network_after(insertions);
-  const NeutralFlowState state = neutral_state_in(command, network.nodes().size(), fluids_);
-  solver_.take_up(state, network);
+  network_ = network_after(insertions);
+  const NeutralFlowState state = neutral_state_in(command, network_.nodes().size(), fluids_);
+  solver_.take_up(state, network_);
   insertions_ = insertions;
-  network_ = std::move(network);
   time_ = state.started ? std::optional(state.time) : std::nullopt;
   return network_.topology_hash();
 }

@@ -105,7 +105,14 @@ inline constexpr const char* natural_fractures = "natural_fractures";  ///< satu
 inline constexpr const char* carry_pressure = "carry_pressure";        ///< Carry::pressure
 }  // namespace claims
 
-/// A flow solver. Calls come in this order: join; insert (revision 0), or take_up or restore after it in a
+/// What a solver can save and go on from.
+enum class StateKept {
+  none,            ///< runs with it keep no checkpoints
+  own,             ///< save and restore
+  own_and_neutral  ///< neutral_state and take_up, too: a run may change to or from another solver
+};
+
+/// A flow solver: join, insert and advance are needed, the rest is as it claims. Calls come in this order: join; insert (revision 0), or take_up or restore after it in a
 /// run that resumes; then any number of advance, insert, report, save; finish. Any of them may throw: the
 /// failure is sent to the coupler with the code of the Error, and the process ends. Arguments have been
 /// checked: lengths, finite numbers, signs, order of intervals, topology.
@@ -115,24 +122,29 @@ class FlowSolver {
 
   /// Of `claims`.
   [[nodiscard]] virtual std::set<std::string> physics() const = 0;
+  [[nodiscard]] virtual StateKept state_kept() const { return StateKept::none; }
   virtual void join(const FlowCase& flow_case) = 0;
-  /// `network` is the topology after `insertion` and stays where it is and as it is until the next call.
+  /// `network` is the topology after `insertion`. Here, in restore and in take_up it stays where it is and as
+  /// it is until the next call of one of these.
   virtual void insert(const Insertion& insertion, const FractureNetwork& network) = 0;
   virtual FlowAnswer advance(const CouplingInterval& interval) = 0;
   /// What the coupler records; names are free, but "pressure", "aperture", "filled" and "content" per node
   /// and "flux" per segment are what reports draw.
-  [[nodiscard]] virtual std::vector<FlowField> report() const = 0;
+  [[nodiscard]] virtual std::vector<FlowField> report() const { return {}; }
+
+  // As state_kept() says; each throws Error(internal) here.
 
   /// Everything that later answers depend on, bit for bit. Opaque to all others; who it belongs to (program,
   /// case, topology) and a checksum are put around it.
-  [[nodiscard]] virtual std::vector<std::byte> save() const = 0;
+  [[nodiscard]] virtual std::vector<std::byte> save() const;
   /// Bytes of save() of the same program and case, with the topology they belong to. Throws
   /// Error(checkpoint_unusable) if they cannot be its own.
-  virtual void restore(std::span<const std::byte> state, const FractureNetwork& network) = 0;
+  virtual void restore(std::span<const std::byte> state, const FractureNetwork& network);
   /// The state as any solver understands it.
-  [[nodiscard]] virtual NeutralFlowState neutral_state() const = 0;
+  [[nodiscard]] virtual NeutralFlowState neutral_state() const;
   /// Goes on from another solver's neutral state. Content, leaked volume and ledger must stay what they are.
-  virtual void take_up(const NeutralFlowState& state, const FractureNetwork& network) = 0;
+  virtual void take_up(const NeutralFlowState& state, const FractureNetwork& network);
+
   /// Last figures for summary.json.
   [[nodiscard]] virtual nlohmann::json finish() const { return nlohmann::json::object(); }
 };

@@ -30,6 +30,7 @@ struct PieceOfFlow {
 /// derives from it moves the fluid through one piece of time.
 class CellSolver : public FlowSolver {
  public:
+  [[nodiscard]] StateKept state_kept() const override { return StateKept::own_and_neutral; }
   void join(const FlowCase& flow_case) override;
   void insert(const Insertion& insertion, const FractureNetwork& network) override;
   FlowAnswer advance(const CouplingInterval& interval) override;
