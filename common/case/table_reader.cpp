@@ -165,6 +165,16 @@ std::uint64_t TableReader::natural_number(std::string_view key, std::uint64_t fa
   return fallback;
 }
 
+std::int64_t TableReader::whole_number(std::string_view key, const Range& range) {
+  const std::string allowed = "a whole number " + describe(range, "");
+  const SourceValue* value = require(key, allowed);
+  if (value == nullptr) return 0;
+  const auto* whole = std::get_if<std::int64_t>(&value->content);
+  if (whole != nullptr && range.contains(static_cast<double>(*whole))) return *whole;
+  report(*value, path_of(key), allowed, "");
+  return 0;
+}
+
 std::optional<std::uint64_t> TableReader::natural_number_or_every(std::string_view key,
                                                                   std::optional<std::uint64_t> fallback) {
   const SourceValue* value = find(key);

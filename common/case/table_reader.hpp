@@ -51,6 +51,8 @@ class TableReader {
   /// Bare whole number; a faulty one reads as the fallback.
   int count(std::string_view key, const Range& range, int fallback);
   std::uint64_t natural_number(std::string_view key, std::uint64_t fallback);
+  /// Bare whole number, which must be there; a faulty one reads as 0.
+  std::int64_t whole_number(std::string_view key, const Range& range);
 
   /// Bare whole number, or the word "every", which reads as nothing; a missing or faulty one as the fallback.
   std::optional<std::uint64_t> natural_number_or_every(std::string_view key,

@@ -52,7 +52,7 @@ void read_poison(input::TableReader& table, MessageFault& fault) {
 void read_stamp(input::TableReader& table, MessageFault& fault) {
   fault.stamp = table.choice("stamp", stamp_fields).value_or(fault.stamp);
   if (table.has("shift"))
-    fault.shift = static_cast<std::int64_t>(table.number("shift", input::any_value));
+    fault.shift = table.whole_number("shift", input::any_value);
   else
     fault.stamp_value = table.natural_number("value", 0);
   if (!table.has("value") && !table.has("shift")) table.refuse("value", "value, or shift, a number to add");
@@ -80,7 +80,7 @@ void read_details(input::TableReader& table, MessageFault& fault) {
       return;
     case MessageAction::resize:
       fault.field = table.text("field");
-      fault.length = static_cast<std::uint64_t>(table.number("length", input::from_to(0, largest_frame / 8)));
+      fault.length = static_cast<std::uint64_t>(table.whole_number("length", input::from_to(0, largest_frame / 8)));
       return;
     case MessageAction::restamp:
       read_stamp(table, fault);
@@ -98,7 +98,7 @@ void read_details(input::TableReader& table, MessageFault& fault) {
       return;
     case MessageAction::oversize:
     case MessageAction::nonsense:
-      fault.bytes = static_cast<std::uint64_t>(table.number("bytes", input::from_to(0, largest_frame)));
+      fault.bytes = static_cast<std::uint64_t>(table.whole_number("bytes", input::from_to(0, largest_frame)));
       return;
     case MessageAction::slow:
       fault.bytes_per_second = table.number("bytes_per_second", input::positive);

@@ -65,6 +65,20 @@ shift = -1
   CHECK(plan_of("transcript = true").relays("structure"));
 }
 
+TEST_CASE("a whole number in a plan is read as one, or refused", "[coupler][faults]") {
+  const auto with = [](const std::string& details) {
+    const std::string text = "[[message]]\nrole = \"network\"\ndirection = \"to_coupler\"\n" + details;
+    return plan_of(text.c_str());
+  };
+  const auto [details, told] = GENERATE(table<std::string, std::string>(
+      {{"do = \"restamp\"\nstamp = \"sequence\"\nshift = \"structure\"", "message[0].shift: found \"structure\""},
+       {"do = \"restamp\"\nstamp = \"sequence\"\nshift = 1.5", "message[0].shift: found 1.5"},
+       {"do = \"resize\"\nfield = \"pressure\"\nlength = nan", "message[0].length: found nan"},
+       {"do = \"oversize\"\nbytes = -1", "message[0].bytes: found -1"},
+       {"do = \"nonsense\"", "message[0].bytes: found nothing"}}));
+  CHECK_THROWS_WITH(with(details), Catch::Contains(told));
+}
+
 TEST_CASE("everything wrong with a plan is told at once", "[coupler][faults]") {
   const char* text = R"([[message]]
 role = "coupler"
