@@ -14,6 +14,12 @@ std::vector<Check> physics_checks() {
            diffusion_checks,
            schedule_checks,
            well_checks,
+           leak_off_checks,
+           fluid_checks,
+           natural_checks,
+           balance_checks,
+           transfer_checks,
+           extreme_checks,
        }) {
     std::vector<Check> checks = subject();
     std::move(checks.begin(), checks.end(), std::back_inserter(all));

@@ -22,5 +22,7 @@ std::vector<Check> leak_off_checks();
 std::vector<Check> natural_checks();
 std::vector<Check> fluid_checks();
 std::vector<Check> balance_checks();
+std::vector<Check> transfer_checks();
+std::vector<Check> extreme_checks();
 
 }  // namespace fissura::coupler::conformance

@@ -71,6 +71,13 @@ const FlowAnswer& StillScene::advance_many(int count, double duration) {
   return last;
 }
 
+const FlowAnswer& StillScene::come_to_rest(double conducting) {
+  const double stored = rock.compliance + rock.aperture / water::bulk_modulus;
+  const double diffusivity = std::pow(conducting, 3) / (12 * water::viscosity * stored);
+  const double slowest = std::pow(length() / std::acos(-1.0), 2) / diffusivity;
+  return advance_many(6, 100 * slowest);
+}
+
 void StillScene::insert(const Insertion& insertion) {
   driver.insert(insertion);
   ask_all();
@@ -78,6 +85,12 @@ void StillScene::insert(const Insertion& insertion) {
 
 double StillScene::length() const {
   return integral(driver.network(), std::vector<double>(driver.network().nodes().size(), 1.0));
+}
+
+Case puff(double rate, double end) {
+  Case run_case = water_case(rate);
+  add_stage(run_case, end, 0);
+  return run_case;
 }
 
 OpenSlit::OpenSlit(const Candidate& candidate, const Case& run_case, const StillRock& rock_)
@@ -97,6 +110,8 @@ Insertion basin(const FractureNetwork& network, std::size_t from, double spacing
   NetworkNode end = tip, inner = tip;
   end.id = tip.id + 20000;
   end.role = NodeRole::tip;
+  end.saturated = false;
+  end.formation_pressure = end.joint_compliance = 0;
   end.lumped_length = basin_length;
   end.exposure_time = time;
   const double distance = std::hypot(tip.x, tip.y);

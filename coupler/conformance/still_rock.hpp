@@ -33,6 +33,10 @@ class StillScene {
   const FlowAnswer& advance(double duration);
   /// @returns the last answer
   const FlowAnswer& advance_many(int count, double duration);
+  /// Advances by six intervals, each a hundred times the slowest time constant of a slit without a way out
+  /// whose segments conduct as `conducting` apart [m]: what is left of differences is below 1e-9, by whatever
+  /// steps.
+  const FlowAnswer& come_to_rest(double conducting);
   /// New nodes stand as `rock` says, too.
   void insert(const Insertion& insertion);
   /// Lengths of all nodes together [m].
@@ -47,6 +51,9 @@ class StillScene {
  private:
   void ask_all();
 };
+
+/// Water pumped at `rate` [m3/s, whole thickness] from 0 to `end` [s], then shut in.
+Case puff(double rate, double end);
 
 /// A slit that is pumped at its west end and runs out at its east end into a basin: a new, empty node so long
 /// that it never fills, whose pressure therefore is 0. The node arrays are in the order from west to east.
