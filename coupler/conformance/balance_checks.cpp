@@ -118,29 +118,6 @@ std::string reset(const Candidate& candidate) {
   return fmt::format("{:.6g} m3 reset, {:.6g} m3 by hand", scene.last.ledger.reset, expected);
 }
 
-/// The aperture closes while nothing is pumped: the pressure is that of the same content.
-std::string aperture_rate(const Candidate& candidate) {
-  constexpr double pumping = 0.02, puff_rate = 4e-5, duration = 0.05, closing = -2e-6;
-  StillScene scene(candidate, puff(puff_rate, pumping), straight_slit(nodes, spacing, nodes / 2),
-                   {.aperture = 1e-4});
-  scene.advance(pumping);
-  scene.come_to_rest(1e-4);
-  const double content = content_of(scene.last, water::bulk_modulus).front();
-  scene.asked.carry = Carry::pressure;
-  for (double& value : scene.asked.aperture_rate) value = closing;
-  scene.advance(duration);
-  const double narrowed = scene.rock.aperture + closing * duration;
-  const double expected = water::bulk_modulus * (content / narrowed - 1);
-  for (std::size_t i = 0; i < nodes; ++i) {
-    require_ratio(fmt::format("aperture_predicted of node {} [m]", i), scene.last.aperture_predicted[i],
-                  narrowed, rounding);
-    require_ratio(fmt::format("pressure of node {} [Pa]", i), scene.last.pressure[i], expected,
-                  solution_tolerance);
-  }
-  require_balance(scene.driver, scene.last);
-  return fmt::format("{:.7g} Pa, {:.7g} Pa by hand", scene.last.pressure.front(), expected);
-}
-
 }  // namespace
 
 std::vector<Check> balance_checks() {
@@ -170,11 +147,6 @@ std::vector<Check> balance_checks() {
        .expected = "under carry = pressure the content is made anew, and the difference is booked as reset",
        .physics = carry,
        .carry_out = reset},
-      {.name = "carry.aperture_rate",
-       .contract = "flow_solvers.md 3.1",
-       .expected = "an aperture that changes at aperture_rate moves the pressure, not the content",
-       .physics = carry,
-       .carry_out = aperture_rate},
   };
 }
 

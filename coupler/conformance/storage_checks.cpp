@@ -140,6 +140,8 @@ std::string opened(const Candidate& candidate) {
   const double content = content_at_rest(scene, rate), volume = scene.last.ledger.in_fractures;
   scene.rock.aperture *= wider;
   std::fill(scene.asked.aperture.begin(), scene.asked.aperture.end(), scene.rock.aperture);
+  // Rigid faces open no further, whatever pressure they were measured under.
+  std::fill(scene.asked.reference_pressure.begin(), scene.asked.reference_pressure.end(), 5e5);
   scene.advance(pumping_time);
   const double expected = content / scene.rock.aperture;
   for (std::size_t i = 0; i < nodes; ++i) {
@@ -159,6 +161,46 @@ std::string never_negative(const Candidate& candidate) {
   const RestedSlit scene(candidate, 0, rock);
   (void)require_pressure(scene, rock.aperture);
   return fmt::format("{:.6g} Pa: e(0) is 0, not less", scene.last.pressure.front());
+}
+
+/// A node without content whose faces pressure would first have to lift: its aperture is 0, not less, under
+/// the pressure of its neighbour.
+std::string pressed_shut(const Candidate& candidate) {
+  constexpr double rate = 1e-5;
+  StillScene scene(candidate, puff(rate, pumping_time), straight_slit(nodes, spacing, nodes / 2), rigid);
+  scene.asked.aperture.back() = 0;
+  scene.asked.reference_pressure.back() = 3e6;
+  scene.asked.compliance.back() = 1e-10;
+  scene.advance(pumping_time);
+  scene.come_to_rest(rigid.aperture);
+  const double share = rate * pumping_time / (scene.last.ledger.in_place);
+  const double expected = water::bulk_modulus * share;
+  for (std::size_t i = 0; i < nodes; ++i)
+    require_ratio(fmt::format("pressure of node {} [Pa]", i), scene.last.pressure[i], expected,
+                  solution_tolerance);
+  require_close("aperture_predicted of the node that is pressed shut [m]",
+                scene.last.aperture_predicted.back(), 0, 0);
+  require_balance(scene.driver, scene.last);
+  return fmt::format("{:.7g} Pa, {:.7g} Pa by hand, no aperture", scene.last.pressure.back(), expected);
+}
+
+/// The aperture closes while nothing is pumped: the pressure is that of the same content.
+std::string aperture_rate(const Candidate& candidate) {
+  constexpr double rate = 4e-5, duration = 0.05, closing = -2e-6;
+  RestedSlit scene(candidate, rate, rigid);
+  const double narrowed = rigid.aperture + closing * duration;
+  std::fill(scene.asked.aperture_rate.begin(), scene.asked.aperture_rate.end(), closing);
+  scene.advance(duration);
+  const double expected =
+      StillRock{.aperture = narrowed}.pressure_of(content_at_rest(scene, rate), water::bulk_modulus);
+  for (std::size_t i = 0; i < nodes; ++i) {
+    require_ratio(fmt::format("aperture_predicted of node {} [m]", i), scene.last.aperture_predicted[i],
+                  narrowed, rounding);
+    require_ratio(fmt::format("pressure of node {} [Pa]", i), scene.last.pressure[i], expected,
+                  solution_tolerance);
+  }
+  require_balance(scene.driver, scene.last);
+  return fmt::format("{:.7g} Pa, {:.7g} Pa by hand", scene.last.pressure.front(), expected);
 }
 
 /// First interval of all: each node is full at zero pressure, none if it has no aperture.
@@ -214,6 +256,15 @@ std::vector<Check> storage_checks() {
        .contract = contract,
        .expected = "e(0) is not below zero, and the pressure is that of (3c)",
        .carry_out = never_negative},
+      {.name = "storage.pressed_shut",
+       .contract = "flow_solvers.md 3.6",
+       .expected = "a node without content below the pressure that lifts its faces has no aperture, stores "
+                   "nothing",
+       .carry_out = pressed_shut},
+      {.name = "storage.aperture_rate",
+       .contract = contract,
+       .expected = "an aperture that changes at aperture_rate moves the pressure, not the content",
+       .carry_out = aperture_rate},
       {.name = "storage.squeezed",
        .contract = contract,
        .expected = "what the rock did otherwise than predicted moves the pressure, never the volume",

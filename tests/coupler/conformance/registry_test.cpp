@@ -15,7 +15,7 @@ TEST_CASE("conformance kit: every check has a name of its own, its place in the 
   const std::set<std::string> known_physics{
       claims::viscous_flow,     claims::leak_off,          claims::power_law,     claims::several_fluids,
       claims::pressure_control, claims::natural_fractures, claims::carry_pressure};
-  const std::set<std::string> known_capabilities{"save", "restore", "neutral_state"};
+  const std::set<std::string> known_capabilities{"insert", "report", "save", "restore", "neutral_state"};
   std::set<std::string> names;
   for (const Check& check : all_checks()) {
     CAPTURE(check.name);
