@@ -119,7 +119,8 @@ std::string asks_again(const Candidate& candidate) {
                      scene.last.ledger.in_place + pumped);
 }
 
-constexpr double coefficient = 1e-6, grown_at = 4;
+/// The slit is old when it grows, so that the age of the new node is far from the time of the run.
+constexpr double coefficient = 1e-6, grown_at = 40;
 
 /// A slit of age `grown_at` that has just grown by a node.
 class GrownSlit : public StillScene {
@@ -160,7 +161,7 @@ std::string through_growth(const Candidate& candidate) {
 /// A new node is exposed from when it joined; a cell that is swept little by little asks for 2/3 at least.
 std::string since_exposure(const Candidate& candidate) {
   GrownSlit scene(candidate);
-  scene.advance_many(8, grown_at / 8);
+  scene.advance_many(8, grown_at / 80);
   const double old_nodes = of_old_nodes(scene), new_node = of_new_node(scene);
   const double share = (scene.last.ledger.leaked / water::thickness - old_nodes) / new_node;
   const double slack = exact * old_nodes / new_node;
