@@ -61,8 +61,6 @@ STORAGE = (
     bug("storage.remeasured", "solver", "each interval begins with the content that the new aperture has room for",
         ("self.started, self.time = 1.0, interval.begin",
          "self.started, self.time, self.content = 1.0, interval.begin, np.where(self.filled == 1, interval.aperture, self.content)")),
-    bug("storage.rate", "solver", "the rate of the aperture is ignored",
-        ("now.aperture + now.aperture_rate * (time - now.begin)", "now.aperture")),
     bug("storage.aperture_predicted", "solver", "answers the aperture that was measured",
         ("else self._aperture(self.pressure, interval.end)[0]", "else interval.aperture")),
     bug("storage.unclipped", "solver", "an aperture below zero is answered",
