@@ -17,6 +17,7 @@ namespace fissura::coupler {
 namespace {
 
 constexpr int schema = 1;
+constexpr const char* network_role = "network";
 constexpr std::string_view before_hash = "  \"sha256\": \"", after_hash = "\"\n}\n";
 constexpr std::size_t hash_digits = 64;
 constexpr std::size_t tail = before_hash.size() + hash_digits + after_hash.size();
@@ -76,12 +77,21 @@ std::optional<std::string> mismatch(const Provenance& wrote, const Provenance& r
   if (wrote.program != run.program)
     return fmt::format("of another program ({}, this is {})", wrote.program, run.program);
   for (const auto& [role, solver] : run.participants) {
+    if (role == network_role) continue;
     const auto found = wrote.participants.find(role);
     if (found == wrote.participants.end() || found->second != solver)
       return fmt::format("of another {} ({}, this is {})", role,
                          found == wrote.participants.end() ? "none" : found->second, solver);
   }
   return std::nullopt;
+}
+
+std::optional<NetworkChange> network_change(const Manifest& wrote, const std::string& network,
+                                            std::uint32_t commanded_since) {
+  const auto found = wrote.provenance.participants.find(network_role);
+  const std::string before = found == wrote.provenance.participants.end() ? "none" : found->second;
+  if (before == network && wrote.epoch >= commanded_since) return std::nullopt;
+  return NetworkChange{wrote.interval, wrote.time, before, network};
 }
 
 std::string manifest_text(const Manifest& manifest) {

@@ -20,8 +20,8 @@ struct Provenance {
 };
 
 /// Why a run of `run` cannot go on from what `wrote` has written, in words to follow "it is"; nothing if it
-/// can. Threads may differ. Participants that `run` does not name are not compared: before the handshake
-/// nobody knows them.
+/// can. Threads may differ, and so may the network: see network_change. Participants that `run` does not name
+/// are not compared: before the handshake nobody knows them.
 std::optional<std::string> mismatch(const Provenance& wrote, const Provenance& run);
 
 /// One file of a checkpoint.
@@ -44,6 +44,19 @@ struct Manifest {
 
   bool operator==(const Manifest&) const = default;
 };
+
+/// Another flow solver goes on with a run.
+struct NetworkChange {
+  std::uint64_t interval = 0;  ///< last complete one of the solver before
+  double time = 0;             ///< its end [s]
+  std::string from, to;        ///< solver name and version
+};
+
+/// The change that it is to go on from a checkpoint with the flow solver `network` (name and version); nothing
+/// if that solver wrote it. @param commanded_since  epoch since which the command of that solver is in force:
+/// checkpoints of earlier ones were written by another program, whatever it called itself
+std::optional<NetworkChange> network_change(const Manifest& wrote, const std::string& network,
+                                            std::uint32_t commanded_since);
 
 /// The text of MANIFEST.json, closed by the SHA-256 of what stands before it: a changed bit anywhere is
 /// found.

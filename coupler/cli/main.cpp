@@ -140,6 +140,8 @@ int main(int argc, char** argv) {
   resume->add_option("RUN", resume_options.directory, "run directory")->required();
   resume->add_option("--threads", resume_options.threads, "threads of the structure; as before if not given")
       ->check(CLI::Range(1, 1024));
+  resume->add_option("--network", resume_options.network_command,
+                     "another flow solver goes on, named as in run; the same if not given");
   resume->add_option("--fault", resume_options.fault, "injects a fault, as in run");
   resume->add_option("--fault-plan", resume_options.fault_plan, "injects the faults of this file, as in run")
       ->type_name("FILE");

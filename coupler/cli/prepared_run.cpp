@@ -44,6 +44,7 @@ json content_of(const PreparedRun& run) {
           {"end", run.end},
           {"structure_command", run.structure_command},
           {"network_command", run.network_command},
+          {"network_since", run.network_since},
           {"keys", run.keys ? json(*run.keys) : json()},
           {"awaited", run.awaited},
           {"tape", run.tape},
@@ -62,6 +63,7 @@ PreparedRun run_of(const json& content) {
   run.end = content.at("end").get<double>();
   run.structure_command = content.at("structure_command").get<std::string>();
   run.network_command = content.at("network_command").get<std::string>();
+  run.network_since = content.value("network_since", run.network_since);
   if (const json& keys = content.at("keys"); !keys.is_null()) run.keys = keys.get<std::filesystem::path>();
   run.awaited = content.at("awaited").get<std::vector<std::string>>();
   run.tape = content.value("tape", run.tape);
@@ -100,6 +102,14 @@ void write_resume_file(const PreparedRun& run) {
   const json content = content_of(run);
   const json whole = {{"content", content}, {"sha256", hash_of(content)}};
   write_whole_file(run.directory / file_name, whole.dump(1) + "\n");
+}
+
+void change_network_in_resume_file(const PreparedRun& run) {
+  PreparedRun there = read_resume_file(run.directory);
+  there.network_command = run.network_command;
+  there.network_since = run.network_since;
+  there.awaited = run.awaited;
+  write_resume_file(there);
 }
 
 PreparedRun read_resume_file(const std::filesystem::path& directory) {

@@ -21,6 +21,7 @@ struct PreparedRun {
   std::filesystem::path directory;
   double end = 0;  ///< of the run, at most that of the case [s]
   std::string structure_command, network_command;
+  std::uint32_t network_since = 0;  ///< epoch since which network_command is in force
   std::optional<std::filesystem::path> keys;  ///< directory, absolute
   std::vector<std::string> awaited;           ///< roles that somebody else starts
   std::vector<std::string> tape;              ///< roles whose messages are recorded
@@ -43,6 +44,10 @@ std::string hexadecimal(const RunId& run);
 /// of itself. It stands from before the first process is started until the directory is used for another run.
 /// Throws StorageError.
 void write_resume_file(const PreparedRun& run);
+
+/// From epoch `run.network_since` on another flow solver goes on with the run: enters its command, and who is
+/// awaited, into resume.json. Throws as read_resume_file and write_resume_file.
+void change_network_in_resume_file(const PreparedRun& run);
 
 /// What resume.json in `directory` says; faults to inject, how natural fractures were drawn and cleaned, and
 /// warnings, are not in it. References of expectations are the copies in RUN/input. Throws

@@ -18,7 +18,6 @@
 #include "coupler/cli/flow_solver_command.hpp"
 #include "coupler/cli/natural_fracture_files.hpp"
 #include "coupler/cli/run_worker.hpp"
-#include "coupler/faults/proxy.hpp"
 #include "coupler/launch/machine_check.hpp"
 #include "coupler/launch/message_bound.hpp"
 #include "coupler/launch/secure_endpoint.hpp"
@@ -77,14 +76,6 @@ void announce_faults(const std::optional<std::string>& fault, const PreparedRun&
   }
 }
 
-/// A participant whose messages the plan spoils is run by a proxy.
-std::string relayed(const PreparedRun& run, const std::string& role, const std::string& command) {
-  if (!run.fault_plan.relays(role)) return command;
-  const std::filesystem::path transcript =
-      std::filesystem::absolute(run.directory) / fmt::format("fault_transcript_{}.jsonl", role);
-  return behind_proxy(sibling("fault_proxy"), *run.fault_plan_file, role, transcript, command);
-}
-
 void read_faults(const std::optional<std::string>& fault, const std::optional<std::filesystem::path>& plan,
                  PreparedRun& run) {
   if (fault) (void)parse_process_fault(*fault);
@@ -114,8 +105,6 @@ void open_door(PreparedRun& run) {
 /// Runs under a supervisor that holds the run directory.
 int supervised(const PreparedRun& prepared, const Attempt& first, bool heals) {
   PreparedRun run = prepared;
-  run.structure_command = relayed(run, "structure", prepared.structure_command);
-  run.network_command = relayed(run, "network", prepared.network_command);
   // Threads of the structure that wait for each other long would keep the other two processes from the cores.
   ::setenv("GOMP_SPINCOUNT", "1000", 0);
   if (run.debug_attach) announce_debugger();
@@ -128,6 +117,15 @@ int supervised(const PreparedRun& prepared, const Attempt& first, bool heals) {
   supervision.healing.wanted = heals;
   return supervise(status, supervision,
                    [&](const Attempt& attempt) { return run_worker(run, attempt, status); });
+}
+
+/// Another flow solver is to go on from epoch `epoch` on. It is started here, whoever started the one before.
+void change_network(const std::string& words, std::uint32_t epoch, PreparedRun& run) {
+  const std::string command = flow_solver_command(words);
+  const auto was_awaited = std::erase(run.awaited, name(Role::network));
+  if (command == run.network_command && was_awaited == 0) return;
+  run.network_command = command;
+  run.network_since = epoch;
 }
 
 }  // namespace
@@ -185,10 +183,12 @@ int resume_command(const ResumeOptions& options) {
   if (options.threads > 0) run.threads = options.threads;
   run.json = run.json || options.json;
   if (!options.tape.empty()) run.tape = options.tape;
+  const std::uint32_t epoch = epochs_so_far(run.directory);
+  if (options.network_command) change_network(*options.network_command, epoch, run);
   read_faults(options.fault, options.fault_plan, run);
   announce_faults(options.fault, run);
   open_door(run);
-  return supervised(run, {true, epochs_so_far(run.directory)}, options.heal);
+  return supervised(run, {true, epoch}, options.heal);
 }
 
 }  // namespace fissura::coupler

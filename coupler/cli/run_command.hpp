@@ -44,6 +44,7 @@ struct ResumeOptions {
   bool json = false;
   bool heal = false;
   std::vector<std::string> tape;     ///< roles whose messages are recorded; none: as before
+  std::optional<std::string> network_command;  ///< another flow solver goes on; the same if not given
   std::optional<std::string> fault;  ///< as in RunOptions
   std::optional<std::filesystem::path> fault_plan;
 };

@@ -14,9 +14,12 @@
 #include "common/faults/fault_point.hpp"
 #include "common/log.hpp"
 #include "coupler/checkpoint/checkpoint_store.hpp"
+#include "coupler/checkpoint/neutral_network.hpp"
 #include "coupler/cli/epochs.hpp"
+#include "coupler/cli/flow_solver_command.hpp"
 #include "coupler/cli/natural_fracture_files.hpp"
 #include "coupler/cli/run_command.hpp"
+#include "coupler/faults/proxy.hpp"
 #include "coupler/launch/trio.hpp"
 #include "coupler/record/run_record.hpp"
 #include "coupler/scheme/staggered_scheme.hpp"
@@ -80,13 +83,15 @@ class Worker {
     try {
       const std::optional<Checkpoint> checkpoint = attempt_.resumes ? usable_checkpoint() : std::nullopt;
       start(checkpoint);
-      Checkpointing checkpointing(run_.reading.value.checkpoint, provenance(), attempt_.epoch, store_, trio_,
-                                  record_, monitor_, status_);
+      Checkpointing checkpointing(run_.reading.value, provenance(), attempt_.epoch, store_, trio_, record_,
+                                  monitor_, status_);
       StaggeredScheme scheme(run_.reading.value, run_.end, trio_, record_, monitor_, checkpointing, status_);
       if (checkpoint)
-        scheme.resume(*checkpoint);
+        scheme.resume(*checkpoint,
+                      network_change_ ? NetworkGoingOn::neutral_state : NetworkGoingOn::own_state);
       else
         scheme.begin();
+      keep_network_change();
       const SchemeOutcome outcome = scheme.run();
       figures_.insertions = outcome.insertions;
       monitor_.conclude();
@@ -114,7 +119,7 @@ class Worker {
     for (const auto& [role, command] :
          {std::pair{Role::structure, run_.structure_command}, {Role::network, run_.network_command}})
       if (std::find(run_.awaited.begin(), run_.awaited.end(), name(role)) == run_.awaited.end())
-        options.command[static_cast<std::size_t>(role)] = command;
+        options.command[static_cast<std::size_t>(role)] = relayed(name(role), command);
     if (run_.keys) options.more_words = " --keys " + shell_word(run_.keys->string());
     if (!run_.tape.empty()) options.observer = &tapes_;
     options.threads = run_.threads;
@@ -125,6 +130,14 @@ class Worker {
       if (recording_) record_.event(EventLevel::warn, name(role), event, text);
     };
     return options;
+  }
+
+  /// A participant whose messages the plan spoils is run by a proxy.
+  [[nodiscard]] std::string relayed(const std::string& role, const std::string& command) const {
+    if (!run_.fault_plan.relays(role)) return command;
+    const std::filesystem::path transcript =
+        std::filesystem::absolute(run_.directory) / fmt::format("fault_transcript_{}.jsonl", role);
+    return behind_proxy(sibling("fault_proxy"), *run_.fault_plan_file, role, transcript, command);
   }
 
   /// Without the participants, which say who they are at the handshake.
@@ -199,9 +212,7 @@ class Worker {
     note_epoch(run_.directory, attempt_.epoch, checkpoint ? std::optional(interval) : std::nullopt);
     const nlohmann::json run_case = case_to_json(run_.reading.value);
     trio_.start(run_case, checkpoint ? Start::resuming : Start::fresh);
-    if (checkpoint)
-      if (const auto other = mismatch(checkpoint->manifest.provenance, provenance()))
-        throw Error(ExitCode::checkpoint_unusable, "the checkpoint cannot be used: it is " + *other);
+    if (checkpoint) require_usable(*checkpoint);
     const RunDescription description{hexadecimal(run_.run_id),
                                      run_.reading.value.title,
                                      run_case,
@@ -222,6 +233,44 @@ class Worker {
     else
       monitor_.begin(catalogue_folder(), hexadecimal(run_.run_id), record_.started());
     note_start(checkpoint);
+  }
+
+  /// By the participants that have joined. Notes whether another flow solver goes on.
+  void require_usable(const Checkpoint& checkpoint) {
+    if (const auto other = mismatch(checkpoint.manifest.provenance, provenance()))
+      throw Error(ExitCode::checkpoint_unusable, "the checkpoint cannot be used: it is " + *other);
+    network_change_ =
+        network_change(checkpoint.manifest, solver_of(trio_, Role::network), run_.network_since);
+    if (!network_change_) return;
+    if (!checkpoint.states.contains(neutral_network))
+      throw ParticipantFailure(
+          ExitCode::checkpoint_unusable, Role::network,
+          fmt::format("{} cannot go on: the checkpoint has no neutral state, because {}, which wrote it, does "
+                      "not tell it. Only {} can go on",
+                      network_change_->to, network_change_->from, network_change_->from));
+    if (!trio_.can(Role::network, "neutral_state"))
+      throw ParticipantFailure(
+          ExitCode::mismatch, Role::network,
+          fmt::format("{} cannot go on with what {} computed: it does not claim the capability neutral_state",
+                      network_change_->to, network_change_->from));
+  }
+
+  /// The participants have taken up the run: from now on it is that of the new flow solver.
+  void keep_network_change() {
+    if (attempt_.resumes && run_.network_since == attempt_.epoch) change_network_in_resume_file(run_);
+    if (!network_change_) return;
+    const NetworkChange& change = *network_change_;
+    const std::string text = fmt::format(
+        "after interval {}, at {:.6g} s, {} goes on instead of {}, from the fluid content and the topology",
+        change.interval, change.time, change.to, change.from);
+    record_.network_changed({{"epoch", attempt_.epoch},
+                             {"interval", change.interval},
+                             {"time", change.time},
+                             {"from", change.from},
+                             {"to", change.to}});
+    note_network_change(run_.directory, change);
+    record_.event(EventLevel::info, "network", "another solver", text);
+    log::info("another flow solver: " + text);
   }
 
   void note_start(const std::optional<Checkpoint>& checkpoint) {
@@ -325,6 +374,7 @@ class Worker {
   TapeRecorder tapes_;
   Trio trio_;
   RunFigures figures_;
+  std::optional<NetworkChange> network_change_;
   bool recording_ = false;  ///< run.json and the tables exist
 };
 

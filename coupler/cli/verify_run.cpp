@@ -13,6 +13,7 @@
 #include "common/errors.hpp"
 #include "common/hash.hpp"
 #include "coupler/checkpoint/checkpoint_store.hpp"
+#include "coupler/checkpoint/neutral_network.hpp"
 #include "coupler/cli/apart.hpp"
 #include "coupler/cli/prepared_run.hpp"
 #include "coupler/cli/verify_tables.hpp"
@@ -207,10 +208,12 @@ class Verification {
     for (const std::string& name : store.names()) {
       try {
         newest = store.read(name);
-        findings_.push_back({"checkpoints/" + name, Soundness::sound,
-                             fmt::format("{} states and their manifest, after {:.6g} s",
-                                         newest->states.size(), newest->manifest.time),
-                             true});
+        findings_.push_back(
+            {"checkpoints/" + name, Soundness::sound,
+             fmt::format("{} states and their manifest, after {:.6g} s{}", newest->states.size(),
+                         newest->manifest.time,
+                         newest->states.contains(neutral_network) ? "; any flow solver can go on" : ""),
+             true});
       } catch (const Error& fault) {
         // A run that is going on removes old ones.
         if (fs::exists(directory_ / "checkpoints" / name))

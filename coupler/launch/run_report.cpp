@@ -15,10 +15,11 @@ Json interval_of(const std::optional<std::uint64_t>& checkpoint) {
   return checkpoint ? Json(*checkpoint) : Json(nullptr);
 }
 
-Json run_id_of(const std::filesystem::path& run_directory) {
+/// An entry of run.json, null without.
+Json entry_of_run(const std::filesystem::path& run_directory, const char* key) {
   std::ifstream stream(run_directory / "run.json");
   const Json run = Json::parse(stream, nullptr, false);
-  return run.is_object() && run.contains("run_id") ? run["run_id"] : Json(nullptr);
+  return run.is_object() && run.contains(key) ? run[key] : Json(nullptr);
 }
 
 Json cause_of(const RunFailure& failure) {
@@ -50,7 +51,9 @@ nlohmann::ordered_json run_report(const std::filesystem::path& run_directory, co
   report["end"] = end.status.end;
   report["intervals"] = end.status.interval;
   report["wall_seconds"] = end.wall_seconds;
-  report["run_id"] = run_id_of(run_directory);
+  report["run_id"] = entry_of_run(run_directory, "run_id");
+  if (const Json changes = entry_of_run(run_directory, "network_changes"); changes.is_array())
+    report["network_changes"] = changes;
   report["directory"] = run_directory.string();
   return report;
 }

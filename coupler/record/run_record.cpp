@@ -41,16 +41,20 @@ void copy_inputs(const std::vector<fs::path>& files, const fs::path& folder) {
   sync_to_disk(folder);
 }
 
-/// run.json of an earlier life of the same run under the same program, or else the one that says that it
-/// begins now.
+/// run.json of an earlier life of the same run under the same program, with the participants of now, or else
+/// the one that says that it begins now.
 std::string run_text(const fs::path& file, const RunDescription& description) {
   const nlohmann::json content = run_json(description);
   if (!fs::exists(file)) return sealed_run_text(content);
   try {
     const std::string text = read_whole_file(file);
-    const nlohmann::json earlier = opened_run_text(text);
+    nlohmann::json earlier = opened_run_text(text);
     const auto agree = [&](const char* key) { return earlier.value(key, "") == content.at(key); };
-    if (agree("run_id") && agree("columns")) return text;
+    if (agree("run_id") && agree("columns")) {
+      earlier["participants"] = content["participants"];
+      earlier.erase("network_changes");
+      return sealed_run_text(earlier);
+    }
   } catch (const StorageError& fault) {
     log::warn(
         fmt::format("{} is damaged and written anew, with the time of now: {}", file.string(), fault.what()));
@@ -198,6 +202,13 @@ void RunRecord::resume(const RunDescription& description, const std::vector<std:
   write_whole_file(directory() / run_name, run_json_);
   for (const char* name : {"fields.xdmf", "fractures.xdmf", "joints.xdmf"}) remove_file(directory() / name);
   if (!segments_.closed().reports.empty()) write_xdmf(directory(), segments_.closed());
+}
+
+void RunRecord::network_changed(const nlohmann::json& entry) {
+  nlohmann::json content = opened_run_text(run_json_);
+  content["network_changes"].push_back(entry);
+  run_json_ = sealed_run_text(std::move(content));
+  write_whole_file(directory() / run_name, run_json_);
 }
 
 void RunRecord::topology(const FractureNetwork& network) {

@@ -58,6 +58,10 @@ class RunRecord {
   /// begin(). Throws as check(), before anything is changed, and StorageError.
   void resume(const RunDescription& description, const std::vector<std::byte>& bytes);
 
+  /// Another flow solver has taken up the run: adds an entry to `network_changes` of run.json. Throws
+  /// StorageError.
+  void network_changed(const nlohmann::json& entry);
+
   /// Notes a new topology revision in the event log. The network itself is written with the next field
   /// report.
   void topology(const FractureNetwork& network);

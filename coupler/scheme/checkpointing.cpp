@@ -9,7 +9,10 @@
 
 #include "common/errors.hpp"
 #include "common/faults/fault_point.hpp"
+#include "common/flow_solver/flow_messages.hpp"
 #include "common/fracture_network/insertion_json.hpp"
+#include "coupler/checkpoint/neutral_network.hpp"
+#include "coupler/scheme/told_by.hpp"
 
 namespace fissura::coupler {
 
@@ -33,10 +36,11 @@ Message command(MessageType type, const SchemeState& state) {
 
 }  // namespace
 
-Checkpointing::Checkpointing(const CheckpointControls& controls, Provenance provenance, std::uint32_t epoch,
+Checkpointing::Checkpointing(const Case& run_case, Provenance provenance, std::uint32_t epoch,
                              CheckpointStore& store, Trio& trio, RunRecord& record, SeismicMonitor& monitor,
                              StatusPage& status)
-    : controls_(controls),
+    : controls_(run_case.checkpoint),
+      fluids_(run_case.fluids.size()),
       provenance_(std::move(provenance)),
       epoch_(epoch),
       store_(store),
@@ -70,8 +74,13 @@ void Checkpointing::keep(const SchemeState& state) {
   checkpoint.states["scheme"] = save(state);
   checkpoint.states["record"] = record_.save();
   checkpoint.states["seismicity"] = monitor_.save();
-  for (const Role role : both)
-    checkpoint.states[name(role)] = trio_.await(role, MessageType::state).bytes("state");
+  for (const Role role : both) {
+    const Message answer = trio_.await(role, MessageType::state);
+    checkpoint.states[name(role)] = answer.bytes("state");
+    if (role == Role::network && trio_.can(role, "neutral_state"))
+      checkpoint.states[neutral_network] = neutral_part(told_by(
+          role, [&] { return neutral_state_in(answer, state.network.nodes().size(), fluids_); }));
+  }
 
   status_.show(interval, "checkpoint-commit");
   checkpoint.manifest.provenance = provenance_;
@@ -87,13 +96,29 @@ void Checkpointing::keep(const SchemeState& state) {
   note_kept(interval, state.clock.time());
 }
 
-void Checkpointing::give_back(const Checkpoint& checkpoint, const SchemeState& state) {
+void Checkpointing::add_state(const Checkpoint& checkpoint, NetworkGoingOn network, const SchemeState& state,
+                              Message& restore) const {
+  switch (network) {
+    case NetworkGoingOn::own_state:
+      restore.add_bytes("state", checkpoint.states.at(name(Role::network)));
+      return;
+    case NetworkGoingOn::neutral_state:
+      const NeutralFlowState neutral =
+          neutral_state_of(checkpoint.states.at(neutral_network), state.network.nodes().size(), fluids_);
+      add_neutral_state(neutral, fluids_, restore);
+  }
+}
+
+void Checkpointing::give_back(const Checkpoint& checkpoint, NetworkGoingOn network, const SchemeState& state) {
   status_.show(state.clock.index(), "resume");
   fault_point(FaultPhase::resume, state.clock.index());
   for (const Role role : both) {
     Message message = command(MessageType::restore, state);
     message.body["insertions"] = insertions_to_json(state.insertions);
-    message.add_bytes("state", checkpoint.states.at(name(role)));
+    if (role == Role::network)
+      add_state(checkpoint, network, state, message);
+    else
+      message.add_bytes("state", checkpoint.states.at(name(role)));
     trio_.send(role, std::move(message));
   }
   for (const Role role : both) {

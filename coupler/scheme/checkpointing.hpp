@@ -14,13 +14,17 @@
 
 namespace fissura::coupler {
 
+/// With what the network goes on: with its own state, or, being another solver than the one before, with that
+/// one's neutral state.
+enum class NetworkGoingOn { own_state, neutral_state };
+
 /// Keeps what a run needs to go on, and gives it back to the participants: a consistent cut at a coupling
 /// time, while nothing is on its way.
 class Checkpointing {
  public:
   /// All references must outlive this.
   /// @param provenance  of this run, @param epoch  how often it has been resumed
-  Checkpointing(const CheckpointControls& controls, Provenance provenance, std::uint32_t epoch,
+  Checkpointing(const Case& run_case, Provenance provenance, std::uint32_t epoch,
                 CheckpointStore& store, Trio& trio, RunRecord& record, SeismicMonitor& monitor,
                 StatusPage& status);
 
@@ -42,14 +46,18 @@ class Checkpointing {
   void keep(const SchemeState& state);
 
   /// Gives both participants the states of `checkpoint`. `state` has been restored from it. Throws
-  /// ParticipantFailure if one of them has another network afterwards, or the structure another interface.
-  void give_back(const Checkpoint& checkpoint, const SchemeState& state);
+  /// ParticipantFailure if one of them has another network afterwards, or the structure another interface;
+  /// Error(checkpoint_unusable) if there is no neutral state of this network.
+  void give_back(const Checkpoint& checkpoint, NetworkGoingOn network, const SchemeState& state);
 
  private:
   using Clock = std::chrono::steady_clock;
   void note_kept(std::uint64_t interval, double time);
+  void add_state(const Checkpoint& checkpoint, NetworkGoingOn network, const SchemeState& state,
+                 Message& restore) const;
 
   CheckpointControls controls_;
+  std::size_t fluids_;
   Provenance provenance_;
   std::uint32_t epoch_;
   CheckpointStore& store_;

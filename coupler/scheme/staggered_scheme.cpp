@@ -11,6 +11,7 @@
 #include "common/faults/fault_point.hpp"
 #include "common/fracture_network/insertion_json.hpp"
 #include "coupler/scheme/fracture_extent.hpp"
+#include "coupler/scheme/told_by.hpp"
 #include "coupler/seismicity/moment_tensor.hpp"
 
 namespace fissura::coupler {
@@ -31,16 +32,6 @@ double least_bulk_modulus(const std::vector<Fluid>& fluids) {
   double least = std::numeric_limits<double>::infinity();
   for (const Fluid& fluid : fluids) least = std::min(least, fluid.bulk_modulus);
   return least;
-}
-
-/// What `read` makes of a message of `role`; what is wrong with it is the fault of that participant.
-template <typename Read>
-auto told_by(Role role, const Read& read) {
-  try {
-    return read();
-  } catch (const Error& fault) {
-    throw ParticipantFailure(fault.code(), role, fmt::format("{} sent what cannot be: {}", name(role), fault.what()));
-  }
 }
 
 }  // namespace
@@ -87,9 +78,9 @@ void StaggeredScheme::begin() {
   state_.interval_control.start(state_.structure.stable_step);
 }
 
-void StaggeredScheme::resume(const Checkpoint& checkpoint) {
+void StaggeredScheme::resume(const Checkpoint& checkpoint, NetworkGoingOn network) {
   restore(checkpoint.states.at("scheme"), state_);
-  checkpointing_.give_back(checkpoint, state_);
+  checkpointing_.give_back(checkpoint, network, state_);
   follow_topology();
   inlet_ = find_inlet(state_.network, case_);
 }

@@ -36,7 +36,7 @@ class StaggeredScheme {
   void begin();
   /// Takes up the run after `checkpoint`, and gives the participants their states. The trio was started to
   /// resume.
-  void resume(const Checkpoint& checkpoint);
+  void resume(const Checkpoint& checkpoint, NetworkGoingOn network);
 
   /// Runs to the end of the case, or to the coupling time at which somebody wants it to stop; then with a
   /// checkpoint. @pre begun or resumed. Throws ParticipantFailure or another Error at the first fault, with

@@ -18,7 +18,7 @@ import zlib
 import zmq
 
 ENVELOPE = struct.Struct("<4sBBH16sIIQQQII")
-ACKNOWLEDGE, PRESSURE, BYE, FAIL, WELCOME, ADVANCE, PROGRESS = 12, 21, 51, 60, 2, 20, 61
+HELLO, ACKNOWLEDGE, PRESSURE, BYE, FAIL, WELCOME, ADVANCE, PROGRESS = 1, 12, 21, 51, 60, 2, 20, 61
 MAJOR, TYPE, RUN, EPOCH, SEQUENCE, REVISION, CRC = 1, 3, 4, 5, 7, 9, 11
 
 
@@ -88,6 +88,8 @@ class Relay:
             message.edit(lambda body: body.pop("figures"))
         elif self.kind == "deaf" and message.kind == PROGRESS:
             message.edit(lambda body: body.pop("stop_signal", None))
+        elif self.kind == "keeps-neutral-state" and message.kind == HELLO:
+            message.edit(lambda body: body["capabilities"].remove("neutral_state"))
         elif self.kind == "gives-no-reason" and message.kind == FAIL:
             message.edit(lambda body: body.pop("reason"))
         else:

@@ -7,6 +7,7 @@
 #include "common/case/case_json.hpp"
 #include "common/fracture_network/insertion_json.hpp"
 #include "coupler/checkpoint/manifest.hpp"
+#include "coupler/checkpoint/neutral_network.hpp"
 #include "coupler/seismicity/catalogue/catalogue_csv.hpp"
 #include "coupler/seismicity/extraction.hpp"
 #include "structure/joints/network_topology.hpp"
@@ -108,6 +109,8 @@ void write_manifest() {
   manifest.topology_hash = std::string(64, '7');
   manifest.files = {{"structure", {123, std::string(64, 'a')}}, {"scheme", {0, std::string(64, 'b')}}};
   write("manifest", "two_states", coupler::manifest_text(manifest));
+  manifest.files[coupler::neutral_network] = {321, std::string(64, 'c')};
+  write("manifest", "neutral_network", coupler::manifest_text(manifest));
 }
 
 }  // namespace

@@ -25,6 +25,8 @@ function head() {
   }
   top.append(element("p", { class: "state" }, element("span", kind ? { class: kind } : {}, state)));
   top.append(element("p", { class: "provenance" }, `Fissura ${run.version}, commit ${String(run.git_commit).slice(0, 12)}, ${run.threads} threads, started ${run.started}; case ${String(run.case_hash).slice(0, 12)}. ${(run.command_line || []).join(" ")}`));
+  for (const change of run.network_changes || [])
+    top.append(element("p", { class: "provenance" }, `After interval ${change.interval}, at ${shown(change.time)} s, the flow solver ${change.to} went on instead of ${change.from}.`));
 }
 
 function verdict(grid) {

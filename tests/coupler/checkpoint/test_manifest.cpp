@@ -56,7 +56,7 @@ TEST_CASE("a sealed manifest of another schema, or with a name that is a path, i
                     Catch::Contains("not complete") && Catch::Contains("interval"));
 }
 
-TEST_CASE("a checkpoint is of the same run only if run, case, program and solvers are the same",
+TEST_CASE("a checkpoint is of the same run only if run, case, program and structure are the same",
           "[coupler][checkpoint]") {
   const Provenance wrote = sample::provenance();
   Provenance run = wrote;
@@ -74,6 +74,23 @@ TEST_CASE("a checkpoint is of the same run only if run, case, program and solver
   run.program = "0.1.0 7654321";
   CHECK_THAT(mismatch(wrote, run).value(), Catch::Contains("another program"));
   run = wrote;
+  run.participants["structure"] = "t3 2";
+  CHECK_THAT(mismatch(wrote, run).value(), Catch::Contains("another structure"));
+  run = wrote;
   run.participants["network"] = "newton 2";
-  CHECK_THAT(mismatch(wrote, run).value(), Catch::Contains("another network"));
+  CHECK_FALSE(mismatch(wrote, run));
+}
+
+TEST_CASE("another flow solver is one of another name or version, or of a newer command",
+          "[coupler][checkpoint]") {
+  const Manifest wrote = sample_manifest();
+  CHECK_FALSE(network_change(wrote, "newton 1", 0));
+  CHECK_FALSE(network_change(wrote, "newton 1", wrote.epoch));
+  const auto newer = network_change(wrote, "newton 2", 0);
+  REQUIRE(newer);
+  CHECK(newer->interval == wrote.interval);
+  CHECK(newer->time == wrote.time);
+  CHECK(newer->from == "newton 1");
+  CHECK(newer->to == "newton 2");
+  CHECK(network_change(wrote, "newton 1", wrote.epoch + 1));
 }
