@@ -62,7 +62,7 @@ class SwappedRun:
             if process.poll() is None:
                 process.kill()
                 process.communicate()
-        if process.returncode != 130:
+        if process.returncode != 143:
             raise SwapFailure(f"{words[0]} with {self.solvers[epoch]} ended with {process.returncode}: {self.errors[-1][-500:]}")
 
     def wait_until_asleep(self, process, stop):
