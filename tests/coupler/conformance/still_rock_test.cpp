@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupler/conformance/still_rock.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
 
 #include "coupler/conformance/topologies.hpp"
@@ -18,7 +19,7 @@ TEST_CASE("still rock: the pressure of a content is that under which a node hold
           "[coupler][conformance]") {
   // The root of a quadratic in doubles, in the form without a difference of equals.
   constexpr double rounding = 1e-12;
-  for (const unsigned char closed : {0, 1})
+  for (const unsigned char closed : std::array<unsigned char, 2>{0, 1})
     for (const double compliance : {0.0, 1e-12, 1e-9})
       for (const double reference : {0.0, 1e5, 3e6})
         for (const double pressure : {1.0, 1e4, 1e6, 4e8}) {
