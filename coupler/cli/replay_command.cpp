@@ -7,13 +7,13 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <vector>
 
 #include "common/errors.hpp"
 #include "common/exchange/debugger.hpp"
 #include "coupler/cli/flow_solver_command.hpp"
 #include "coupler/cli/prepared_run.hpp"
+#include "coupler/launch/process_activity.hpp"
 #include "coupler/tape/bisect.hpp"
 #include "coupler/tape/replay.hpp"
 
@@ -41,18 +41,11 @@ std::uint32_t newest_epoch(const std::filesystem::path& run_directory, Role role
   return epochs.back();
 }
 
-bool is_traced(long pid) {
-  std::ifstream stream(fmt::format("/proc/{}/status", pid));
-  for (std::string line; std::getline(stream, line);)
-    if (line.starts_with("TracerPid:")) return line.find_first_of("123456789") != std::string::npos;
-  return false;
-}
-
 /// Returns when a debugger holds the process, or at a line or the end of standard input.
 void wait_for_debugger(const std::string& role, long pid) {
-  if (is_traced(pid)) return;
+  if (tracer_of(static_cast<pid_t>(pid))) return;
   std::fprintf(stderr, "%s is process %ld: gdb -p %ld, or Enter to go on without\n", role.c_str(), pid, pid);
-  while (!is_traced(pid)) {
+  while (!tracer_of(static_cast<pid_t>(pid))) {
     pollfd input{STDIN_FILENO, POLLIN, 0};
     if (::poll(&input, 1, 100) <= 0) continue;
     char letters[256];
@@ -75,6 +68,15 @@ void print(const ReplayResult& result, const std::filesystem::path& tape) {
   std::printf("wall time %.3f s, live %.3f s: %s; of it for answers %.3f s, live %.3f s\n", result.seconds,
               result.live_seconds, ratio(result.live_seconds, result.seconds).c_str(), result.answering,
               result.live_answering);
+}
+
+void print_other_epochs(const ReplayRunOptions& options, Role role) {
+  if (options.epoch) return;
+  std::vector<std::uint32_t> others = taped_epochs(options.run_directory, role);
+  others.pop_back();
+  if (!others.empty())
+    std::printf("earlier lives of the run are taped too: --epoch %s\n",
+                fmt::format("{}", fmt::join(others, ", ")).c_str());
 }
 
 /// The first epoch of which both runs have a tape of `role`.
@@ -107,9 +109,12 @@ int replay_command(const ReplayRunOptions& options) {
     announce_debugger();
     replayed.on_hello = [&](long pid) { wait_for_debugger(options.role, pid); };
   }
-  const ReplayResult result = replay(replayed);
-  print(result, replayed.tape);
-  return static_cast<int>(result.code);
+  replayed.on_end = [&](const ReplayResult& result) {
+    print(result, replayed.tape);
+    print_other_epochs(options, role);
+    std::fflush(stdout);
+  };
+  return static_cast<int>(replay(replayed).code);
 }
 
 int bisect_command(const BisectOptions& options) {

@@ -54,6 +54,18 @@ std::optional<ProcessActivity> activity_of(pid_t process) {
   return activity;
 }
 
+std::optional<pid_t> tracer_of(pid_t process) {
+  const std::string entry = "TracerPid:";
+  std::ifstream file(fmt::format("/proc/{}/status", process));
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with(entry)) {
+      pid_t tracer = 0;
+      std::istringstream(line.substr(entry.size())) >> tracer;
+      return tracer > 0 ? std::optional(tracer) : std::nullopt;
+    }
+  return std::nullopt;
+}
+
 std::string describe(const ProcessActivity& now, const ProcessActivity& earlier, double seconds) {
   return fmt::format("{} (state {}){}{}, {:.2f} s of CPU time in the last {:.2f} s", verb(now.state),
                      now.state, now.wait_channel.empty() ? "" : " in ", now.wait_channel,

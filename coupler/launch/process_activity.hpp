@@ -20,6 +20,9 @@ struct ProcessActivity {
 /// Nothing if there is no such process.
 std::optional<ProcessActivity> activity_of(pid_t process);
 
+/// The debugger, or whoever else, that traces a process; nothing if nobody does or there is no such process.
+std::optional<pid_t> tracer_of(pid_t process);
+
 /// "runs (state R), 1.98 s of CPU time in the last 2.00 s", "sleeps (state S) in futex_wait_queue, ...".
 /// @param earlier  the same process `seconds` before
 std::string describe(const ProcessActivity& now, const ProcessActivity& earlier, double seconds);

@@ -102,6 +102,7 @@ TapeComparison compare_tapes(const std::filesystem::path& first, const std::file
                                                              .first = speaker(x.direction, comparison.role),
                                                              .second = speaker(y.direction, comparison.role),
                                                              .ulps = {},
+                                                             .distance = 0,
                                                              .array = {}};
       comparison.parting = {Parting::How::differs, x.direction, x.time,
                             fmt::format("  {} by {}, messages {} and {} of the tapes:\n", title_of(x.frames),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -77,6 +78,19 @@ std::string indexed(const Declaration& array, std::uint64_t index, std::uint64_t
                                 : fmt::format("{}[{}, {}]", array.name, index / columns, index % columns);
 }
 
+void measure(MessageDifference& difference, double first, double second) {
+  difference.ulps = ulps_between(first, second);
+  difference.distance = std::abs(second - first);
+}
+
+/// Beyond rounding nobody counts the doubles between.
+std::string distance_in_words(const MessageDifference& difference) {
+  constexpr std::uint64_t beyond_rounding = 1'000'000;
+  if (!difference.ulps) return "";
+  return *difference.ulps < beyond_rounding ? fmt::format("  ({} ulp apart)", *difference.ulps)
+                                            : fmt::format("  ({:.2g} apart)", difference.distance);
+}
+
 /// Gathers the first difference and counts all.
 class Comparison {
  public:
@@ -104,7 +118,8 @@ class Comparison {
   }
 
   void note_if_other(const std::string& where, const std::string& first, const std::string& second) {
-    if (first != second) note({.where = where, .first = first, .second = second, .ulps = {}, .array = {}});
+    if (first != second)
+      note({.where = where, .first = first, .second = second, .ulps = {}, .distance = 0, .array = {}});
   }
 
   bool compare_declarations(const std::vector<Declaration>& a, const std::vector<Declaration>& b) {
@@ -144,11 +159,12 @@ class Comparison {
                                  .first = digits(a, array.dtype, *where),
                                  .second = digits(b, array.dtype, *where),
                                  .ulps = {},
+                                 .distance = 0,
                                  .array = array.name,
                                  .row = *where / columns,
                                  .values = count};
     if (array.dtype == "float64")
-      difference.ulps = ulps_between(value_at<double>(a, *where), value_at<double>(b, *where));
+      measure(difference, value_at<double>(a, *where), value_at<double>(b, *where));
     note(std::move(difference));
   }
 
@@ -168,8 +184,9 @@ class Comparison {
                                    .first = in_a ? text_of(x) : "nothing",
                                    .second = in_b ? text_of(y) : "nothing",
                                    .ulps = {},
+                                   .distance = 0,
                                    .array = {}};
-      if (x.is_number() && y.is_number()) difference.ulps = ulps_between(x.get<double>(), y.get<double>());
+      if (x.is_number() && y.is_number()) measure(difference, x.get<double>(), y.get<double>());
       note(std::move(difference));
     }
   }
@@ -202,7 +219,7 @@ std::string in_words(const MessageDifference& difference, const std::string& pla
   std::string text = fmt::format("  {}{}{}\n", difference.where, place.empty() ? "" : ", ", place);
   text += fmt::format("    {:<{}}  {}\n", sides.first, width, difference.first);
   text += fmt::format("    {:<{}}  {}{}\n", sides.second, width, difference.second,
-                      difference.ulps ? fmt::format("  ({} ulp apart)", *difference.ulps) : "");
+                      distance_in_words(difference));
   if (difference.values > 1) text += fmt::format("    {} values of this array differ\n", difference.values);
   if (difference.places > 1)
     text += fmt::format("    {} arrays or entries of this message differ\n", difference.places);

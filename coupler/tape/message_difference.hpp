@@ -15,6 +15,7 @@ struct MessageDifference {
   std::string where;          ///< "pressure[12]", "source_moment[3, 1]", "/ledger/leaked", "type", ...
   std::string first, second;  ///< both values, with all digits
   std::optional<std::uint64_t> ulps;  ///< units in the last place between two numbers
+  double distance = 0;                ///< magnitude of their difference
   std::string array;                  ///< name of the array it is in; empty if it is in none
   std::uint64_t row = 0;              ///< in that array
   std::uint64_t values = 1;           ///< how many values of the array differ

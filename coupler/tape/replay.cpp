@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "common/exchange/codec.hpp"
+#include "coupler/launch/process_activity.hpp"
 #include "coupler/launch/process_tree.hpp"
 #include "coupler/solo/driven_participant.hpp"
 #include "coupler/tape/message_difference.hpp"
@@ -26,6 +27,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr Seconds patience_for_hello{60};
 constexpr Seconds endless{1e9};
+constexpr Seconds between_looks{0.1};
 constexpr Seconds farewell{5};  // until the process ends after its BYE is returned
 
 Message decoded(const Frames& frames) {
@@ -148,8 +150,10 @@ class Replay {
     result_.solver = solver_of(participant_.last_frames());
     begin_live_ = hello.time;
     begin_ = now;
+    pid_ = static_cast<pid_t>(decoded(participant_.last_frames()).body.value("pid", 0L));
+    started_by_debugger_ = tracer_of(pid_) == participant_.pid();
     if (!options_.on_hello) return;
-    options_.on_hello(decoded(participant_.last_frames()).body.value("pid", 0L));
+    options_.on_hello(pid_);
     begin_ = Clock::now();
   }
 
@@ -193,6 +197,10 @@ class Replay {
 
   /// A participant that was let go ends by itself; any other is in the middle of a run.
   ReplayResult ended() {
+    if (options_.on_end) options_.on_end(result_);
+    if (options_.patience == Patience::endless)
+      while ((started_by_debugger_ || tracer_of(pid_)) && !participant_.wait_for_end(between_looks)) {
+      }
     if (result_.code == ExitCode::done && !options_.until)
       participant_.wait_for_end(released_ ? farewell : Seconds(0));
     participant_.send_signal(SIGKILL);
@@ -208,7 +216,8 @@ class Replay {
   std::optional<std::string> unanswered_;  ///< the last command, while it has no answer
   double said_live_ = 0, begin_live_ = 0;
   Clock::time_point said_{}, begin_{};
-  bool released_ = false;
+  bool released_ = false, started_by_debugger_ = false;
+  pid_t pid_ = 0;
 };
 
 }  // namespace

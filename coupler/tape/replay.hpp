@@ -15,15 +15,6 @@ namespace fissura::coupler {
 /// Whether a debugger may hold the participant: then no deadline ends a replay.
 enum class Patience { of_the_case, endless };
 
-struct ReplayOptions {
-  std::filesystem::path tape;
-  std::string command;  ///< shell command of the participant; `--connect ENDPOINT` is appended
-  Patience patience = Patience::of_the_case;
-  std::optional<std::uint64_t> until = {};  ///< last coupling interval to replay
-  /// Called when the participant has introduced itself, with the process that said so.
-  std::function<void(long pid)> on_hello = {};
-};
-
 struct ReplayResult {
   ExitCode code = ExitCode::done;    ///< `verdict_failed`: an answer differs
   std::string finding;               ///< why it is another code, or what else is to be told; lines
@@ -36,9 +27,21 @@ struct ReplayResult {
   double live_seconds = 0, seconds = 0, live_answering = 0, answering = 0;
 };
 
+struct ReplayOptions {
+  std::filesystem::path tape;
+  std::string command;  ///< shell command of the participant; `--connect ENDPOINT` is appended
+  Patience patience = Patience::of_the_case;
+  std::optional<std::uint64_t> until = {};  ///< last coupling interval to replay
+  /// Called when the participant has introduced itself, with the process that said so.
+  std::function<void(long pid)> on_hello = {};
+  /// Called with the result, before the participant is ended.
+  std::function<void(const ReplayResult&)> on_end = {};
+};
+
 /// Runs one participant alone against a tape: says what the coupler said, and compares what is answered with
 /// what was answered then (message_difference.hpp). Stops at the first difference. A tape whose last command
-/// has no answer (the participant died over it) is replayed to see what becomes of that. Throws
+/// has no answer (the participant died over it) is replayed to see what becomes of that. With endless
+/// patience, a participant that a debugger holds at the end is left to it until it lets go. Throws
 /// Error(precondition) without such a tape, StorageError if it is damaged.
 ReplayResult replay(const ReplayOptions& options);
 

@@ -60,7 +60,7 @@ class Tapes(unittest.TestCase):
         self.assertEqual(result.returncode, 1, result.stdout + result.stderr)
         self.assertIn("PRESSURE of interval 9", result.stdout)
         self.assertRegex(result.stdout, r"pressure\[2\], node \d+ at \(-?[\d.e-]+, -?[\d.e-]+\) m")
-        self.assertRegex(result.stdout, r"replay +1250000 +\(\d+ ulp apart\)")
+        self.assertRegex(result.stdout, r"replay +1250000 +\([\d.e+-]+ apart\)")
 
     def test_replay_until_an_interval(self):
         result = call("replay", self.directory, "--role", "network", "--until", "5")
@@ -87,6 +87,15 @@ class Tapes(unittest.TestCase):
         os.kill(pid, signal.SIGCONT)
         output, errors = replay.communicate(timeout=60)
         self.assertEqual(replay.returncode, 0, output + errors)
+
+    @unittest.skipUnless(shutil.which("gdb"), "no gdb")
+    def test_a_debugger_that_started_the_participant_keeps_it(self):
+        mark = self.home / "left to the debugger"
+        debugger = f"gdb -q -batch -ex run -ex 'shell sleep 6; touch \"{mark}\"' --args {PROGRAMS}/network"
+        result = call("replay", self.directory, "--role", "network", "--debug-attach", "--command", debugger)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.assertIn("answers are identical", result.stdout)
+        self.assertTrue(mark.exists(), "the debugger was ended with the replay")
 
     def test_bisect_of_the_same_run_again(self):
         with Run("--tape", "network", "--set", "checkpoint.intervals=7", threads=2) as again:
@@ -160,7 +169,18 @@ class KilledRuns(unittest.TestCase):
             result = call("replay", run.directory, "--role", "network")
             self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
             self.assertIn("network.1.tape", result.stdout)
+            self.assertIn("earlier lives of the run are taped too: --epoch 0", result.stdout)
             self.assertEqual(call("replay", run.directory, "--role", "network", "--epoch", "0").returncode, 0)
+
+    def test_each_life_of_a_healed_run_replays(self):
+        with Run("--tape", "network", "--until", "1 s", "--set", "checkpoint.intervals=5", "--heal", "--fault",
+                 "network@9=segfault") as run:
+            self.assertEqual(run.wait(), 0, run.errors)
+            for epoch, text in ((0, "ends with ADVANCE of interval 9, which was not answered; here came PRESSURE"),
+                                (1, "are identical")):
+                result = call("replay", run.directory, "--role", "network", "--epoch", epoch)
+                self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+                self.assertIn(text, result.stdout)
 
     def test_a_crash_happens_again_in_the_replay(self):
         fault = f"env FISSURA_FAULT=network@9=segfault {PROGRAMS}/network"
