@@ -52,9 +52,9 @@ struct NetworkChange {
   std::string from, to;        ///< solver name and version
 };
 
-/// The change that it is to go on from a checkpoint with the flow solver `network` (name and version); nothing
-/// if that solver wrote it. @param commanded_since  epoch since which the command of that solver is in force:
-/// checkpoints of earlier ones were written by another program, whatever it called itself
+/// The change that it is to go on from a checkpoint with the flow solver `network` (name and version);
+/// nothing if that solver wrote it. @param commanded_since  epoch since which the command of that solver is
+/// in force: checkpoints of earlier ones were written by another program, whatever it called itself
 std::optional<NetworkChange> network_change(const Manifest& wrote, const std::string& network,
                                             std::uint32_t commanded_since);
 

@@ -245,9 +245,10 @@ class Worker {
     if (!checkpoint.states.contains(neutral_network))
       throw ParticipantFailure(
           ExitCode::checkpoint_unusable, Role::network,
-          fmt::format("{} cannot go on: the checkpoint has no neutral state, because {}, which wrote it, does "
-                      "not tell it. Only {} can go on",
-                      network_change_->to, network_change_->from, network_change_->from));
+          fmt::format(
+              "{} cannot go on: the checkpoint has no neutral state, because {}, which wrote it, does "
+              "not tell it. Only {} can go on",
+              network_change_->to, network_change_->from, network_change_->from));
     if (!trio_.can(Role::network, "neutral_state"))
       throw ParticipantFailure(
           ExitCode::mismatch, Role::network,

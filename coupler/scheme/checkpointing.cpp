@@ -78,8 +78,8 @@ void Checkpointing::keep(const SchemeState& state) {
     const Message answer = trio_.await(role, MessageType::state);
     checkpoint.states[name(role)] = answer.bytes("state");
     if (role == Role::network && trio_.can(role, "neutral_state"))
-      checkpoint.states[neutral_network] = neutral_part(told_by(
-          role, [&] { return neutral_state_in(answer, state.network.nodes().size(), fluids_); }));
+      checkpoint.states[neutral_network] = neutral_part(
+          told_by(role, [&] { return neutral_state_in(answer, state.network.nodes().size(), fluids_); }));
   }
 
   status_.show(interval, "checkpoint-commit");
@@ -109,7 +109,8 @@ void Checkpointing::add_state(const Checkpoint& checkpoint, NetworkGoingOn netwo
   }
 }
 
-void Checkpointing::give_back(const Checkpoint& checkpoint, NetworkGoingOn network, const SchemeState& state) {
+void Checkpointing::give_back(const Checkpoint& checkpoint, NetworkGoingOn network,
+                              const SchemeState& state) {
   status_.show(state.clock.index(), "resume");
   fault_point(FaultPhase::resume, state.clock.index());
   for (const Role role : both) {

@@ -31,7 +31,8 @@ NeutralFlowState two_nodes_of_two_fluids() {
 
 }  // namespace
 
-TEST_CASE("the neutral state of a network comes back from a checkpoint with every bit", "[coupler][checkpoint]") {
+TEST_CASE("the neutral state of a network comes back from a checkpoint with every bit",
+          "[coupler][checkpoint]") {
   const NeutralFlowState state = two_nodes_of_two_fluids();
   const auto part = neutral_part(state);
   const NeutralFlowState back = neutral_state_of(part, 2, 2);
