@@ -237,7 +237,7 @@ def script_cells():
     yield cell("odd surroundings", "directory it was started in is gone", CLEAN, "vanished_directory", resumes="no")
     for stream in ("stdout", "stderr"):
         yield cell("reader of the log gone", stream, CLEAN, "broken_pipe", stream, resumes="no")
-    for file in ("structure.state", "network.state", "scheme.state", "record.state", "seismicity.state", "MANIFEST.json"):
+    for file in ("structure.state", "network.state", "network_neutral.state", "scheme.state", "record.state", "seismicity.state", "MANIFEST.json"):
         for how in ("flip", "truncate", "empty", "remove"):
             yield cell(f"checkpoint: {how}", f"newest {file}", CLEAN, "damaged_checkpoint", file, how, 1, needs=("--fault-plan", "resume"))
             yield cell(f"checkpoint: {how}", f"every {file}", End(27, "coupler", "checkpoint"), "damaged_checkpoint", file, how, 2, resumes="no",
