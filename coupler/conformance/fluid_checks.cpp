@@ -32,8 +32,9 @@ double gradient(const PowerLaw& fluid, double through, double aperture) {
   return 2 * fluid.consistency / aperture * std::pow(shear_rate, fluid.index);
 }
 
-/// Steady flow at `share` of the rate. A viscosity that follows the flow is found by iteration, within an
-/// interval or over some: most of the pressure is exact, the rest within a thousandth.
+/// Steady flow at `share` of the rate through a slit that narrows by `taper` per node. A solver finds the
+/// viscosity that follows the flow by iteration, within an interval or over some.
+/// @returns the gradient at the well [Pa/m]
 double require_power_law(const Candidate& candidate, const PowerLaw& fluid, double share, double taper) {
   constexpr double tolerance = 1e-3;
   Case run_case = water_case(share * rate);
@@ -79,8 +80,8 @@ std::string tapered(const Candidate& candidate) {
   return fmt::format("{:.6g} Pa/m at the well of a wedge", measured);
 }
 
-/// An open slit in which the fluid that it began with has long been displaced, or not at all, and the basin
-/// is wide, though its arm is not.
+/// Steady flow of the first fluid, and of the second when the first has long left the slit. The basin is
+/// wide, for all that is pumped; the arm to it is not.
 std::string displaces(const Candidate& candidate) {
   constexpr double change = 5, thick = 3 * water::viscosity;
   Case run_case = water_case(rate);
