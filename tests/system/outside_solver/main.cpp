@@ -67,7 +67,8 @@ class OnePressure : public fissura::FlowSolver {
 
   double aperture(std::size_t node, double pressure) const {
     const double above = pressure - now_.reference_pressure[node];
-    return std::max(0.0, now_.aperture[node] + now_.compliance[node] * (now_.closed[node] ? std::max(0.0, above) : above));
+    const double opened = now_.aperture[node] + now_.aperture_rate[node] * (now_.end - now_.begin);
+    return std::max(0.0, opened + now_.compliance[node] * (now_.closed[node] ? std::max(0.0, above) : above));
   }
 
   double room(double pressure) const {
