@@ -159,42 +159,58 @@ double longest_gap(const std::vector<HeardProgress>& progress, double answered) 
 }
 
 struct Work {
-  std::size_t nodes = 0, signs = 0;
+  std::size_t nodes = 0;
+  int stages = 0;  ///< of pumping, all within the interval
+  std::size_t signs = 0;
   double seconds = 0;  ///< from the command to the answer, wall
   double gap = 0;      ///< longest time without a word in them [s]
 };
 
-Work work_on(const Candidate& candidate, std::size_t nodes) {
+Work work_on(const Candidate& candidate, std::size_t nodes, int stages) {
   constexpr double length = 4;  // of the slit [m]
+  Case run_case = pumped_case();
+  for (int stage = 1; stage < stages; ++stage)
+    add_stage(run_case, stage * PumpedSlit::duration / stages, PumpedSlit::rate / (1 + stage % 2));
   Candidate patient = candidate;
   patient.patience = Seconds(60);
-  PumpedSlit scene(patient, pumped_case(),
+  PumpedSlit scene(patient, run_case,
                    straight_slit(nodes, length / static_cast<double>(nodes), nodes / 2));
   const double start = now();
   scene.advance(PumpedSlit::duration);
-  Work work{.nodes = nodes, .signs = scene.driver.participant().progress().size(), .seconds = now() - start};
+  Work work{.nodes = nodes,
+            .stages = stages,
+            .signs = scene.driver.participant().progress().size(),
+            .seconds = now() - start};
   work.gap = longest_gap(scene.driver.participant().progress(), work.seconds);
   return work;
 }
 
-/// Ever more nodes, until an interval takes long. A busy machine may hold a process up once, not always.
-std::string tells_of_progress(const Candidate& candidate) {
-  constexpr double long_work = 1.5;
+/// A busy machine may hold a process up once, not always.
+Work work_with_signs(const Candidate& candidate, std::size_t nodes, int stages) {
   constexpr double longest_silence = 1;
-  constexpr std::size_t most_nodes = 12800;
   constexpr int attempts = 3;
   Work work;
-  for (std::size_t nodes = 200; nodes <= most_nodes && work.seconds < long_work; nodes *= 4) {
-    for (int attempt = 0; attempt < attempts; ++attempt) {
-      work = work_on(candidate, nodes);
-      if (work.gap <= longest_silence) break;
-    }
-    require(work.gap <= longest_silence,
-            fmt::format("PROGRESS at least every {:g} s while at work on {} nodes", longest_silence, nodes),
-            fmt::format("{:.1f} s of silence in {:.1f} s, {} PROGRESS", work.gap, work.seconds, work.signs));
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    work = work_on(candidate, nodes, stages);
+    if (work.gap <= longest_silence) return work;
   }
-  return fmt::format("{:.1f} s of work on {} nodes: {} PROGRESS, never {:.2f} s without", work.seconds,
-                     work.nodes, work.signs, work.gap);
+  throw Deviation(fmt::format("PROGRESS at least every {:g} s while at work on {} nodes through {} stages",
+                              longest_silence, nodes, stages),
+                  fmt::format("{:.1f} s of silence in {:.1f} s, {} PROGRESS", work.gap, work.seconds, work.signs));
+}
+
+/// Ever more nodes, then ever more stages, each of which is a step at least, until an interval takes long.
+std::string tells_of_progress(const Candidate& candidate) {
+  constexpr double long_work = 1.5;
+  constexpr std::size_t most_nodes = 12800;
+  constexpr int most_stages = 2048;
+  Work work;
+  for (std::size_t nodes = 200; nodes <= most_nodes && work.seconds < long_work; nodes *= 4)
+    work = work_with_signs(candidate, nodes, 1);
+  for (int stages = 8; stages <= most_stages && work.seconds < long_work; stages *= 4)
+    work = work_with_signs(candidate, most_nodes, stages);
+  return fmt::format("{:.1f} s of work on {} nodes through {} stages: {} PROGRESS, never {:.2f} s without",
+                     work.seconds, work.nodes, work.stages, work.signs, work.gap);
 }
 
 }  // namespace
