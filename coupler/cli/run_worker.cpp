@@ -14,9 +14,9 @@
 #include "common/faults/fault_point.hpp"
 #include "common/log.hpp"
 #include "coupler/checkpoint/checkpoint_store.hpp"
-#include "coupler/checkpoint/neutral_network.hpp"
 #include "coupler/cli/epochs.hpp"
 #include "coupler/cli/flow_solver_command.hpp"
+#include "coupler/cli/going_on.hpp"
 #include "coupler/cli/natural_fracture_files.hpp"
 #include "coupler/cli/run_command.hpp"
 #include "coupler/faults/proxy.hpp"
@@ -44,11 +44,6 @@ std::string shell_word(const std::string& text) {
   return word + "'";
 }
 
-std::string solver_of(const Trio& trio, Role role) {
-  const ParticipantIdentity& identity = trio.identity(role);
-  return identity.solver + " " + identity.version;
-}
-
 RunFailure failure_of(ExitCode code, const char* who, std::uint64_t interval, const std::string& phase,
                       const std::string& sentence) {
   RunFailure failure;
@@ -74,6 +69,7 @@ class Worker {
         attempt_(attempt),
         status_(status),
         store_(run.directory, run.reading.value.checkpoint.keep),
+        going_on_(run, attempt, store_),
         record_(run.directory, run.reading.value.output.reports_per_segment),
         monitor_(run.reading.value),
         tapes_(run.directory, taped_roles(run), run.run_id, attempt.epoch),
@@ -81,17 +77,17 @@ class Worker {
 
   int execute() {
     try {
-      const std::optional<Checkpoint> checkpoint = attempt_.resumes ? usable_checkpoint() : std::nullopt;
+      const std::optional<Checkpoint> checkpoint = going_on_.usable_checkpoint();
       start(checkpoint);
-      Checkpointing checkpointing(run_.reading.value, provenance(), attempt_.epoch, store_, trio_, record_,
-                                  monitor_, status_);
+      Checkpointing checkpointing(run_.reading.value, provenance_of(run_, trio_), attempt_.epoch, store_,
+                                  trio_, record_, monitor_, status_);
       StaggeredScheme scheme(run_.reading.value, run_.end, trio_, record_, monitor_, checkpointing, status_);
       if (checkpoint)
-        scheme.resume(*checkpoint,
-                      network_change_ ? NetworkGoingOn::neutral_state : NetworkGoingOn::own_state);
+        scheme.resume(*checkpoint, going_on_.with_another_solver() ? NetworkGoingOn::neutral_state
+                                                                   : NetworkGoingOn::own_state);
       else
         scheme.begin();
-      keep_network_change();
+      going_on_.keep(record_);
       const SchemeOutcome outcome = scheme.run();
       figures_.insertions = outcome.insertions;
       monitor_.conclude();
@@ -140,62 +136,6 @@ class Worker {
     return behind_proxy(sibling("fault_proxy"), *run_.fault_plan_file, role, transcript, command);
   }
 
-  /// Without the participants, which say who they are at the handshake.
-  [[nodiscard]] Provenance provenance_of_run() const {
-    return {hexadecimal(run_.run_id),
-            case_hash(case_to_json(run_.reading.value)),
-            program_version(),
-            {},
-            run_.threads};
-  }
-
-  [[nodiscard]] std::map<std::string, std::string> participants() const {
-    return {{"structure", solver_of(trio_, Role::structure)}, {"network", solver_of(trio_, Role::network)}};
-  }
-
-  [[nodiscard]] Provenance provenance() const {
-    Provenance whole = provenance_of_run();
-    whole.participants = participants();
-    return whole;
-  }
-
-  /// The newest checkpoint that is whole, of this case and program, and that the files of the run still go
-  /// with; nothing if there has been none. Warns of every newer one. Throws Error(checkpoint_unusable) if
-  /// there are some, but none of use.
-  std::optional<Checkpoint> usable_checkpoint() {
-    FoundCheckpoint found =
-        store_.newest_usable([this](const Checkpoint& checkpoint) { return refusal(checkpoint); });
-    for (const UnusableCheckpoint& unusable : found.unusable)
-      log::warn(fmt::format("checkpoint {} cannot be used: {}", unusable.name, unusable.reason));
-    if (!found.checkpoint && !found.unusable.empty())
-      throw Error(ExitCode::checkpoint_unusable,
-                  fmt::format("none of the {} checkpoints can be used; of the newest, {}",
-                              found.unusable.size(), found.unusable.front().reason));
-    store_.set_aside_newer_than(found.checkpoint ? std::optional(found.checkpoint->manifest.interval)
-                                                 : std::nullopt);
-    return std::move(found.checkpoint);
-  }
-
-  /// Why this run cannot go on from a whole checkpoint, as far as that can be told before a participant
-  /// starts.
-  [[nodiscard]] std::optional<std::string> refusal(const Checkpoint& checkpoint) const {
-    if (const auto other = mismatch(checkpoint.manifest.provenance, provenance_of_run()))
-      return "it is " + *other;
-    try {
-      SchemeState state(run_.reading.value, run_.end);
-      restore(checkpoint.states.at("scheme"), state);
-      RunRecord::check(run_.directory, checkpoint.states.at("record"));
-      SeismicMonitor::check(catalogue_folder(), checkpoint.states.at("seismicity"));
-    } catch (const std::out_of_range&) {
-      return "a state is missing";
-    } catch (const Error& fault) {
-      return fault.what();
-    }
-    return std::nullopt;
-  }
-
-  [[nodiscard]] std::filesystem::path catalogue_folder() const { return run_.directory / "seismicity"; }
-
   void start(const std::optional<Checkpoint>& checkpoint) {
     const std::uint64_t interval = checkpoint ? checkpoint->manifest.interval : 0;
     status_.change([&](RunStatus& status) {
@@ -212,14 +152,14 @@ class Worker {
     note_epoch(run_.directory, attempt_.epoch, checkpoint ? std::optional(interval) : std::nullopt);
     const nlohmann::json run_case = case_to_json(run_.reading.value);
     trio_.start(run_case, checkpoint ? Start::resuming : Start::fresh);
-    if (checkpoint) require_usable(*checkpoint);
+    if (checkpoint) going_on_.require_usable(*checkpoint, trio_);
     const RunDescription description{hexadecimal(run_.run_id),
                                      run_.reading.value.title,
                                      run_case,
                                      run_.reading.files,
                                      run_.command_line,
                                      run_.threads,
-                                     participants(),
+                                     provenance_of(run_, trio_).participants,
                                      {},
                                      probe_names(run_.reading.value)};
     if (checkpoint)
@@ -228,50 +168,11 @@ class Worker {
       record_.begin(description);
     recording_ = true;
     if (checkpoint)
-      monitor_.resume(catalogue_folder(), hexadecimal(run_.run_id), record_.started(),
+      monitor_.resume(run_.directory / catalogue_folder, hexadecimal(run_.run_id), record_.started(),
                       checkpoint->states.at("seismicity"));
     else
-      monitor_.begin(catalogue_folder(), hexadecimal(run_.run_id), record_.started());
+      monitor_.begin(run_.directory / catalogue_folder, hexadecimal(run_.run_id), record_.started());
     note_start(checkpoint);
-  }
-
-  /// By the participants that have joined. Notes whether another flow solver goes on.
-  void require_usable(const Checkpoint& checkpoint) {
-    if (const auto other = mismatch(checkpoint.manifest.provenance, provenance()))
-      throw Error(ExitCode::checkpoint_unusable, "the checkpoint cannot be used: it is " + *other);
-    network_change_ =
-        network_change(checkpoint.manifest, solver_of(trio_, Role::network), run_.network_since);
-    if (!network_change_) return;
-    if (!checkpoint.states.contains(neutral_network))
-      throw ParticipantFailure(
-          ExitCode::checkpoint_unusable, Role::network,
-          fmt::format(
-              "{} cannot go on: the checkpoint has no neutral state, because {}, which wrote it, does "
-              "not tell it. Only {} can go on",
-              network_change_->to, network_change_->from, network_change_->from));
-    if (!trio_.can(Role::network, "neutral_state"))
-      throw ParticipantFailure(
-          ExitCode::mismatch, Role::network,
-          fmt::format("{} cannot go on with what {} computed: it does not claim the capability neutral_state",
-                      network_change_->to, network_change_->from));
-  }
-
-  /// The participants have taken up the run: from now on it is that of the new flow solver.
-  void keep_network_change() {
-    if (attempt_.resumes && run_.network_since == attempt_.epoch) change_network_in_resume_file(run_);
-    if (!network_change_) return;
-    const NetworkChange& change = *network_change_;
-    const std::string text = fmt::format(
-        "after interval {}, at {:.6g} s, {} goes on instead of {}, from the fluid content and the topology",
-        change.interval, change.time, change.to, change.from);
-    record_.network_changed({{"epoch", attempt_.epoch},
-                             {"interval", change.interval},
-                             {"time", change.time},
-                             {"from", change.from},
-                             {"to", change.to}});
-    note_network_change(run_.directory, change);
-    record_.event(EventLevel::info, "network", "another solver", text);
-    log::info("another flow solver: " + text);
   }
 
   void note_start(const std::optional<Checkpoint>& checkpoint) {
@@ -370,12 +271,12 @@ class Worker {
   const Attempt& attempt_;
   StatusPage& status_;
   CheckpointStore store_;
+  GoingOn going_on_;
   RunRecord record_;
   SeismicMonitor monitor_;
   TapeRecorder tapes_;
   Trio trio_;
   RunFigures figures_;
-  std::optional<NetworkChange> network_change_;
   bool recording_ = false;  ///< run.json and the tables exist
 };
 

@@ -15,6 +15,9 @@
 
 namespace fissura::coupler {
 
+/// Of the catalogue, in the directory of a run.
+constexpr const char* catalogue_folder = "seismicity";
+
 /// Makes events of what the structure tells, and a catalogue of events, while the run goes on. Call order:
 /// constructor; begin or resume; any number of listen, flush and save; finish. Without begin nothing is
 /// written.
